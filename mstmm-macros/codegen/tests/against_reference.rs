@@ -1,5 +1,5 @@
-//! The equations on `f64` against an independent maximal-coordinate solver: random chains of all
-//! kinds of hinges, ends, loads and dimensions, both methods in all axes.
+//! Compares the equations on `f64` with an independent maximal-coordinate solver: random chains with all kinds of hinges,
+//! ends, loads and dimensions, both methods in all axes.
 
 mod common;
 
@@ -7,12 +7,12 @@ use common::{Point, WAYS, compute_with, difference, drives, read};
 use mstmm_codegen::math::Structured;
 use mstmm_reference::{Random, Recipe, Solution, random_mechanism, random_motion};
 
-/// Chains a run; each of up to six bodies.
+/// The number of chains per run; each has up to six bodies.
 const CHAINS: u64 = 600;
 const BODIES: usize = 6;
 
-/// Both solvers have condition numbers of up to a few thousand on these chains, and the reference
-/// solves a dense system of up to 96 unknowns: 1e-10 leaves them three digits to spare.
+/// The tolerance. Both solvers have condition numbers of up to a few thousand on these chains, and the reference solves a
+/// dense system of up to 96 unknowns; 1e-10 is a thousand times the error to be expected.
 const TOLERANCE: f64 = 1e-10;
 
 type Plain = Structured<f64>;
@@ -27,7 +27,7 @@ fn random_chains_move_as_the_reference_says() {
     println!("{CHAINS} chains from seed {first}, worst relative difference {worst:.2e}");
 }
 
-/// `MSTMM_SEED` begins elsewhere.
+/// Returns the first seed, which `MSTMM_SEED` sets.
 fn seed() -> u64 {
     std::env::var("MSTMM_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0)
 }
@@ -37,7 +37,7 @@ fn one_chain(seed: u64) -> f64 {
     let recipe = Recipe::any(&mut random, BODIES);
     let truth = random_mechanism(&mut random, "Random", &recipe);
     if truth.closed() && truth.hinges().all(|hinge| hinge.dof_count() == 0) {
-        // Nothing can move, which the language refuses.
+        // Nothing can move, which the language rejects.
         return 0.0;
     }
     let (state, driven) = random_motion(&mut random, &truth);
@@ -88,8 +88,8 @@ const MOTIONS: [Quantity; 6] = [
 const LOADS: [Quantity; 2] =
     [(|p| p.moment.0.into(), |p| p.moment.into()), (|p| p.force.0.into(), |p| p.force.into())];
 
-/// The largest difference of any quantity at any connection point, each relative to its largest
-/// value along the chain.
+/// Returns the largest difference of any quantity at any connection point, each relative to its largest value along the
+/// chain.
 fn points(computed: &[Point<Plain>], expected: &Solution, quantities: &[Quantity]) -> f64 {
     let quantity = |(ours, theirs): &Quantity| {
         let ours: Entries = computed.iter().flat_map(ours).map(|x| x.value()).collect();

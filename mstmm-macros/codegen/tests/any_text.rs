@@ -1,9 +1,8 @@
-//! Whatever is written, the compiler answers with code that parses or with mistakes: right chains
-//! changed in several places, random words in the order of the language, and texts that once broke
-//! it. `PROPTEST_CASES` asks for more of them.
+//! Tests that the compiler answers every text with code that parses or with errors: valid chains with several changes, random
+//! words in the order of the grammar, and texts that once failed. `PROPTEST_CASES` sets the number of cases.
 //!
-//! A text that breaks it is printed, the smallest of its kind that was found. Where the process dies
-//! of it, it is the last one written to `any_text.*.txt` in `target/tmp`.
+//! A failing text is minimised and printed. If the process aborts, the failing text is the last one in `any_text.*.txt` in
+//! `target/tmp`.
 
 #[path = "any_text/base.rs"]
 mod base;
@@ -22,13 +21,13 @@ use std::fmt;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Cases of a test, a few seconds of an unoptimised build.
+/// The number of cases of a test, which take a few seconds in an unoptimised build.
 const CASES: u32 = 200;
 
-/// No text of this length takes longer, by far, even in an unoptimised build on a busy machine.
+/// The time limit of a text, far above the time of any text of this length, even in an unoptimised build on a busy machine.
 const LONGEST: Duration = Duration::from_secs(100);
 
-/// Shown as it is written.
+/// A text whose `Debug` form is the text itself.
 #[derive(Clone)]
 struct Text(String);
 
@@ -49,7 +48,7 @@ fn config() -> ProptestConfig {
     }
 }
 
-/// Asks of a text what holds of any.
+/// Tests on one text what must hold for every text.
 fn check(test: &str, text: &str) -> Option<bool> {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("any_text.{test}.txt"));
     std::fs::write(file, text).expect("a writable folder");

@@ -1,5 +1,5 @@
-//! Bias efforts against the solver of maximal coordinates, which prescribes every hinge; and against the
-//! accelerations: with motors that supply exactly the bias efforts no rate changes.
+//! Compares the bias efforts with the maximal-coordinate solver, which prescribes every hinge, and with the accelerations:
+//! they vanish if the motors supply the bias efforts.
 
 mod common;
 
@@ -10,11 +10,11 @@ use mstmm_codegen::examine::Findings;
 use mstmm_codegen::model::{Answer, Chain, Layout};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
-/// The procedure and the solver compute the same sums of at most some hundred terms in other orders; the solver
-/// inverts matrices with condition numbers of a few thousand. It closes chains to 1e-12.
+/// The tolerance. Procedure and solver compute the same sums of at most some hundred terms in different orders; the solver
+/// inverts matrices with condition numbers of a few thousand, and closes chains to 1e-12.
 const TOLERANCE: f64 = 1e-10;
 
-/// A text with a setting of the chain added.
+/// Adds a setting to the text of a chain.
 fn with(setting: &str, text: &str) -> String {
     text.replacen('{', &format!("{{ {setting}"), 1)
 }
@@ -59,7 +59,7 @@ fn compiled(text: &str) -> (Chain, mstmm_codegen::compile::Compiled) {
     (chain, compiled)
 }
 
-/// Motors that supply the bias efforts leave all rates as they are; repeated parts included.
+/// If the motors supply the bias efforts, no rate changes, also in repeated parts.
 #[test]
 fn no_rate_changes_under_bias_efforts() {
     let (chain, compiled) = compiled(&with("answers = [bias_efforts];", ARM));
@@ -82,9 +82,9 @@ fn no_rate_changes_under_bias_efforts() {
     }
 }
 
-/// What is asked for besides moves nothing in the texts and slots of all other functions.
+/// An additional answer changes neither texts nor slots of the other functions.
 #[test]
-fn an_answer_leaves_all_others_as_they_are() {
+fn an_answer_does_not_change_other_functions() {
     let text = |text: &str| {
         let chain = read(text);
         let all = chain_text(&chain, &Findings::default(), None).expect("all functions");

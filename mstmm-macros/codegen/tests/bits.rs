@@ -1,5 +1,5 @@
-//! Every bit of what the functions of many chains compute, as hashes in a table: whoever claims to change no
-//! number leaves the table alone. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test bits` accepts.
+//! Hashes of all bits of the results of many chains, in a table. A change that claims to change no result must leave the
+//! table unchanged. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test bits` updates it.
 
 mod common;
 
@@ -20,7 +20,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
-/// The chains of a file, with what is found of them by trying.
+/// Returns the chains of a file, with the findings of their numerical evaluation.
 fn chains(name: &str) -> Vec<(Chain, Findings)> {
     let text = std::fs::read_to_string(file(name)).expect("the chains");
     let read = mstmm_codegen::read_and_examine(text.parse().expect("tokens"));
@@ -37,7 +37,7 @@ struct Hash(u64);
 impl Hash {
     const EMPTY: Hash = Hash(0xcbf2_9ce4_8422_2325);
 
-    /// Adds all results, entry by entry; a number that is the same in all repetitions counts once.
+    /// Adds all results, entry by entry; a value that is the same in all repetitions counts once.
     fn add(&mut self, procedure: &Procedure, arrays: &Arrays<f64>) {
         for array in &procedure.arrays {
             let ArrayRole::Result(id) = array.role else { continue };
@@ -67,13 +67,13 @@ impl Hash {
     }
 }
 
-/// The bits of a number; the sign and the payload of what is undefined are the processor's.
+/// Returns the bits of a number. All NaNs count as the same, since sign and payload depend on the processor.
 fn bits(value: f64) -> u64 {
     if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() }
 }
 
-/// All unknowns at random numbers, but for parameters, which are near their defaults, and the steps of a
-/// closure, all of which are taken.
+/// Returns random values of all unknowns. Parameters are near their defaults, and all elimination steps of a loop closure are
+/// taken.
 fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<f64> {
     let mut arrays = Arrays::default();
     arrays.arguments.insert(Argument::Time, vec![0.0]);
@@ -100,7 +100,7 @@ fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<
     arrays
 }
 
-/// The value of what stands for a parameter's default.
+/// Returns the value of a parameter's default.
 fn constant(chain: &Chain, value: &Value) -> f64 {
     let go = |value: &Value| constant(chain, value);
     match value {
@@ -116,7 +116,7 @@ fn constant(chain: &Chain, value: &Value) -> f64 {
     }
 }
 
-/// The hashes of all functions of a chain.
+/// Returns the hashes of all functions of a chain.
 fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     let compiled = compile(chain, findings, &Layout::of(chain));
     let name = |function: &CompiledFunction| match function.answer {
@@ -144,7 +144,7 @@ fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     hashes
 }
 
-/// The same with quaternions of unit length.
+/// Normalises the quaternions among the arguments.
 fn with_unit_quaternions(mut given: Arrays<f64>, compiled: &Compiled) -> Arrays<f64> {
     let mut arrays = given.clone();
     run(&compiled.function(Answer::Normalized).procedure, &mut arrays).expect("it cannot fail");

@@ -1,5 +1,5 @@
-//! The rank of a closure that is found while compiling belongs to the linkage: it does not depend on where
-//! the description starts, down to the last bits.
+//! Tests that the rank of a loop closure that is found at compile time does not depend on the start of the chain, down to
+//! deviations of the last bits.
 
 mod common;
 
@@ -9,10 +9,10 @@ use mstmm_codegen::examine::{Mobility, examine};
 use mstmm_codegen::model::ClosureRank;
 use mstmm_reference::Random;
 
-/// Starts tried of each size of deviation.
+/// The number of starts for each size of deviation.
 const STARTS: usize = 10;
 
-/// Bodies of one kilogram between pins about z.
+/// Returns a body of one kilogram between pins about z.
 fn bar(name: &str, output: &str) -> String {
     format!(
         "body {name} {{ mass = 1; com = [0.2, 0.05, 0.1]; inertia = diag(0.05, 0.06, 0.07) about com; \
@@ -20,7 +20,7 @@ fn bar(name: &str, output: &str) -> String {
     )
 }
 
-/// Bennett's linkage: lengths go as the sines 4/5 and 3/5 of the twists.
+/// Returns Bennett's linkage: the lengths are proportional to the sines of the twists, 4/5 and 3/5.
 fn bennett(start: &[f64]) -> String {
     let bars = bar("First", "[1, 0, 0] turned quaternion(2, 1, 0, 0)")
         + &bar("Second", "[0.75, 0, 0] turned quaternion(3, 1, 0, 0)")
@@ -33,7 +33,7 @@ fn bennett(start: &[f64]) -> String {
     )
 }
 
-/// Goldberg's: two of Bennett's with sines 4/5, 3/5 and 5/13 that share a link.
+/// Returns Goldberg's linkage: two of Bennett's with sines 4/5, 3/5 and 5/13 that share a link.
 fn goldberg(start: &[f64]) -> String {
     let bars = bar("First", "[0.45703125, 0, 0] turned quaternion(2, 1, 0, 0)")
         + &bar("Second", "[0.3427734375, 0, 0] turned quaternion(3, 1, 0, 0)")

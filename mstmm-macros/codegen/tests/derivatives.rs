@@ -1,5 +1,5 @@
-//! Procedures run on dual numbers give derivatives, loops included: they agree with differences, and energy changes
-//! by the power of what drives a chain.
+//! Runs procedures on dual numbers, including loops: the derivatives agree with difference quotients, and the energy changes
+//! by the power of the motors.
 
 mod common;
 
@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 type Arguments<S> = HashMap<Argument, Vec<S>>;
 
-/// The numbers of all arguments together with those of others.
+/// Combines the values of two sets of arguments.
 fn zip<S: Copy, T>(
     one: &Arguments<S>,
     other: &Arguments<S>,
@@ -41,7 +41,7 @@ fn results<S: Judge>(twin: &Twin, procedure: &Procedure, arguments: Arguments<S>
     ids.flat_map(|id| arrays.result(id)).collect()
 }
 
-/// All results of all functions along a random direction of all that is given.
+/// Compares the derivatives of all results of all functions along a random direction of all arguments.
 fn compare_with_differences(seed: u64, twins: &Twins) {
     // The step leaves an error of its square, and rounding divided by it: both are far below that of `f64`.
     let step = DoubleDouble::new(1e-10);
@@ -73,7 +73,7 @@ fn compare_with_differences(seed: u64, twins: &Twins) {
     }
 }
 
-/// Open chains: where a closure holds nothing, roots of zero have no derivative.
+/// Open chains only: a loop closure without constraints has square roots of zero, which have no derivative.
 #[test]
 fn derivatives_are_those_of_differences() {
     for seed in (0..48).filter(|seed| seed % 4 != 3) {
@@ -83,7 +83,7 @@ fn derivatives_are_those_of_differences() {
     }
 }
 
-/// The power of all motors of a chain.
+/// Returns the power of all motors of a chain.
 fn power(twin: &Twin, given: &Arrays<f64>) -> f64 {
     let rates = &given.arguments[&Argument::Rates];
     let solution = &twin.compiled.function(Answer::Solution).procedure;
@@ -92,7 +92,7 @@ fn power(twin: &Twin, given: &Arrays<f64>) -> f64 {
     arrays.result(outputs::EFFORTS).iter().zip(rates).map(|(effort, rate)| effort * rate).sum()
 }
 
-/// The energy of a chain that moves as its accelerations say.
+/// Returns the time derivative of the energy of a chain that moves with its accelerations.
 fn energy_rate(twin: &Twin, given: &Arrays<f64>) -> f64 {
     let result = |answer, id| {
         let mut arrays = given.clone();

@@ -1,12 +1,12 @@
-//! `EQUATIONS.md` and the tags in the compiler's and the runtime's files say the same: every tag
-//! stands in the table with its file and the item that it is at, and nothing else does.
+//! Tests that `EQUATIONS.md` lists exactly the tags in the compiler's and the runtime's files, each with its file and the
+//! item that it documents.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Equation number to the files that carry its tag, with the items that the tags are at. A tag on a
-/// file as a whole is at no item.
+/// For each equation number the files with its tag, and the items that the tags document. A tag in the docs of a file has no
+/// item.
 type Index = BTreeMap<u32, BTreeMap<String, BTreeSet<String>>>;
 
 const LAST_EQUATION: u32 = 66;
@@ -15,7 +15,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The numbers in a tag such as `[P, Eqs. (17) to (19), (21)]`.
+/// Returns the numbers in a tag such as `[P, Eqs. (17) to (19), (21)]`.
 fn numbers(tag: &str) -> Vec<u32> {
     let mut all: Vec<u32> = Vec::new();
     for (position, part) in tag.split('(').enumerate().skip(1) {
@@ -29,13 +29,13 @@ fn numbers(tag: &str) -> Vec<u32> {
     all
 }
 
-/// A text without its line breaks and the slashes of comments behind them.
+/// Returns a text without line breaks and the comment slashes after them.
 fn unbroken(text: &str) -> String {
     let words = text.lines().map(|line| line.trim_start().trim_start_matches(['/', '!']).trim());
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// The tags of a text: where each begins, and its words.
+/// Returns the tags of a text, each with its position.
 fn tags(text: &str) -> Vec<(usize, String)> {
     let tag = |(at, _): (usize, &str)| {
         let words = unbroken(text[at..].split(']').next()?);
@@ -44,7 +44,7 @@ fn tags(text: &str) -> Vec<(usize, String)> {
     text.match_indices("[P,").filter_map(tag).collect()
 }
 
-/// The name that a line declares: of a function, a type, a constant, a field or a variant.
+/// Returns the name that a line declares: of a function, a type, a constant, a field or a variant.
 fn declared(line: &str) -> Option<&str> {
     let words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
     let marks =
@@ -53,14 +53,14 @@ fn declared(line: &str) -> Option<&str> {
     names.next().filter(|name| *name != "mod" && *name != "impl")
 }
 
-/// Whether a line begins a function, a type or a constant.
+/// Returns whether a line starts a function, a type or a constant.
 fn declares_item(line: &str) -> bool {
     let line = line.trim_start_matches("pub").trim_start_matches("(super)").trim_start();
     let words = ["fn ", "const ", "struct ", "enum ", "type "];
     words.iter().any(|word| line.starts_with(word))
 }
 
-/// The item at which a tag stands: the one that it documents, or the one that it is in.
+/// Returns the item of a tag: the item that it documents, or the item that contains it.
 fn item(text: &str, at: usize) -> Option<String> {
     let lines: Vec<&str> = text.lines().map(str::trim_start).collect();
     let line = text[..at].matches('\n').count();
@@ -74,7 +74,7 @@ fn item(text: &str, at: usize) -> Option<String> {
     found.and_then(|line| declared(line)).map(str::to_owned)
 }
 
-/// All tags of the files in `folder`, under their names with `prefix` before.
+/// Collects all tags of the files in `folder`, under their names with a `prefix`.
 fn collect(folder: &str, prefix: &str, index: &mut Index) {
     for entry in fs::read_dir(root().join(folder)).expect("a readable folder") {
         let path = entry.expect("an entry").path();
@@ -94,7 +94,7 @@ fn collect(folder: &str, prefix: &str, index: &mut Index) {
     }
 }
 
-/// A cell of the table: `file: item, item; file`.
+/// Formats a cell of the table: `file: item, item; file`.
 fn written(files: &BTreeMap<String, BTreeSet<String>>) -> String {
     let file = |(file, items): (&String, &BTreeSet<String>)| {
         let items: Vec<&str> = items.iter().map(String::as_str).collect();
@@ -103,7 +103,7 @@ fn written(files: &BTreeMap<String, BTreeSet<String>>) -> String {
     files.iter().map(file).collect::<Vec<_>>().join("; ")
 }
 
-/// The rows of the table, as number, where and remark.
+/// Returns the rows of the table: files and remark, by equation number.
 fn rows() -> BTreeMap<u32, (String, String)> {
     let text = fs::read_to_string(root().join("EQUATIONS.md")).expect("the index");
     let mut rows = BTreeMap::new();

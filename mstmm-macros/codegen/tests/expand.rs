@@ -1,5 +1,5 @@
-//! All generated code of a small chain, committed as it is: `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test expand`
-//! writes it anew. What functions compute is easier to read in `text`.
+//! The golden expansion of a small chain. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test expand` updates it. The
+//! functions themselves are easier to read in the goldens of `text`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -17,7 +17,7 @@ fn compile(text: &str) -> TokenStream {
     expansion.items
 }
 
-/// The expansion of a chain as `rustfmt` would print it.
+/// Returns the expansion of a chain, formatted.
 fn expand(text: &str) -> String {
     let items = compile(text);
     let file = syn::parse2(items.clone()).unwrap_or_else(|error| panic!("{error}\n{items}"));
@@ -38,7 +38,7 @@ fn pendulum_with_a_motor_and_a_parameter() {
     assert!(expanded == golden, "line {changed:?} from 0: MSTMM_BLESS=1 accepts it");
 }
 
-/// Text and tokens are the same from one run to the next, with loops and closures too.
+/// The compiler is deterministic, also for repeated parts and loop closures.
 #[test]
 fn expansions_are_the_same_from_one_run_to_the_next() {
     for name in ["top", "two_pins", "rope", "four_bar", "arm"] {
@@ -48,7 +48,7 @@ fn expansions_are_the_same_from_one_run_to_the_next() {
     }
 }
 
-/// A repeated part is a loop: the code for ten thousand is that for a hundred, but for the numbers in it.
+/// A repeated part is a loop: the code for ten thousand repetitions is that for a hundred, except for literals.
 #[test]
 fn code_does_not_grow_with_the_count_of_a_repeat() {
     let rope = std::fs::read_to_string(folder().join("rope.chain")).expect("a chain");
@@ -62,7 +62,7 @@ fn code_does_not_grow_with_the_count_of_a_repeat() {
     assert_eq!(length("100"), length("10000"));
 }
 
-/// Rust constants, parameters of every time, an elastic hinge.
+/// Rust constants, parameters with a value per repetition, an elastic hinge.
 const CONSTANTS: &str = "
     line chain Train {
         param coal[3] = 2 kg;
@@ -72,7 +72,7 @@ const CONSTANTS: &str = "
         hinge a { stiffness = 3; damping = data::DAMPING; }
     }";
 
-/// Hinges that move as they are told, and loads.
+/// Hinges with prescribed motion, and loads.
 const TOLD: &str = "
     chain Crane {
         gravity = input;
@@ -84,10 +84,10 @@ const TOLD: &str = "
         load push { on = d; force = input; torque = input; }
     }";
 
-/// Where the user has a constant, a static or a unit struct of the name of a variable, Rust takes the
-/// pattern for that one. So all variables have names that no one would give to such a thing.
+/// If the user's code has a constant, a static or a unit struct with the name of a variable, Rust takes the pattern for it.
+/// Therefore all variables end in an underscore.
 #[test]
-fn variables_have_names_of_their_own() {
+fn variables_end_in_an_underscore() {
     #[derive(Default)]
     struct Variables(BTreeSet<String>);
     impl<'ast> syn::visit::Visit<'ast> for Variables {

@@ -1,5 +1,5 @@
-//! What is not finite is refused: NaN and infinity in every entry of what functions are given, with repeated parts,
-//! and in which order a function fails.
+//! Tests that functions reject arguments that are not finite: NaN and infinity in every entry, also of repeated parts. Tests
+//! the order in which the checks of a function fail.
 
 mod common;
 
@@ -13,13 +13,14 @@ const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 const TESTED: [Answer; 4] =
     [Answer::Accelerations, Answer::ImplicitAccelerations, Answer::Solution, Answer::BiasEfforts];
 
-/// The functions of a chain that look for what is not finite.
+/// Returns the functions of a chain that test whether values are finite.
 fn tested(twin: &Twin) -> impl Iterator<Item = (Answer, &Procedure)> {
     let functions = TESTED.into_iter().filter_map(|answer| twin.compiled.find(answer));
     functions.map(|function| (function.answer.expect("an answer"), &function.procedure))
 }
 
-/// What is given at every step. Parameters, slots and the steps of a closure are looked at when they are set.
+/// Returns the entries that the caller supplies at every step. Parameters, slots and elimination steps of a loop closure are
+/// checked when they are set.
 fn places(given: &Arrays<f64>) -> Vec<(Argument, usize)> {
     let is_given = |argument: &&Argument| {
         use Argument::{Coordinates, Input, Rates, Time};
@@ -31,7 +32,7 @@ fn places(given: &Arrays<f64>) -> Vec<(Argument, usize)> {
     all.collect()
 }
 
-/// The results that a procedure has, by what has not been written.
+/// Returns the results of a procedure, with none for entries that have not been written.
 fn written(procedure: &Procedure, arrays: &Arrays<f64>) -> Vec<Vec<Option<f64>>> {
     let roles = procedure.arrays.iter().map(|array| array.role);
     let ids = roles.filter_map(|role| match role {
@@ -41,7 +42,7 @@ fn written(procedure: &Procedure, arrays: &Arrays<f64>) -> Vec<Vec<Option<f64>>>
     ids.map(|id| arrays.results.get(&id).cloned().unwrap_or_default()).collect()
 }
 
-/// Puts bad numbers into every entry of what one chain is given.
+/// Puts NaN and infinities into every entry of the arguments of a chain.
 fn refuses_what_is_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>) {
     for (answer, procedure) in tested(twin) {
         let mut before = good.clone();
@@ -72,7 +73,7 @@ fn refuses_what_is_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>) {
 }
 
 #[test]
-fn every_entry_is_looked_at() {
+fn every_entry_is_tested() {
     for seed in 0..24 {
         let Some(twins) = Twins::random(seed, Numbers::Written) else { continue };
         let [repeated, written] = twins.state::<f64>(0);
@@ -83,7 +84,7 @@ fn every_entry_is_looked_at() {
     }
 }
 
-/// A chain of repeated hinges whose last body has a mass for every time, and inertia nowhere else.
+/// Returns a chain of repeated hinges whose last body has a mass for every repetition, and no other inertia.
 fn points(method: &str, hinges: &str) -> Twin {
     let text = format!(
         "chain Points {{
@@ -100,7 +101,7 @@ fn points(method: &str, hinges: &str) -> Twin {
     Twin::new(&text, Numbers::Written).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A state of all entries.
+/// Returns a state in which every entry has a value.
 fn state(twin: &Twin, masses: [f64; 3]) -> Arrays<f64> {
     let unknowns = twin.compiled.unknowns.arguments();
     let mut arguments = std::collections::HashMap::from([(Argument::Time, vec![0.0])]);
@@ -133,9 +134,9 @@ fn a_repeated_hinge_without_inertia_is_named() {
     }
 }
 
-/// What results do not show is looked at first, then pivots, then results.
+/// Arguments that no result covers are tested first, then pivots, then results.
 #[test]
-fn what_is_wrong_first_is_named() {
+fn the_first_failure_is_reported() {
     let twin = points("riccati", "pin(z) turn -> Point b");
     let singular = || Some(Failed::Singular("turn".to_owned()));
     for (answer, procedure) in tested(&twin).filter(|(it, _)| *it != Answer::BiasEfforts) {

@@ -1,15 +1,15 @@
-//! Every kind of hinge stands in every registry: what the compiler cannot count, this test does.
+//! Tests that every kind of hinge is in every registry that the Rust compiler cannot check.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Kinds that have the word, the page and the sample of another, which they are in a plane.
+/// The kinds that are the planar form of another kind and share its keyword, page and sample.
 const IN_A_PLANE: &[(&str, &str)] = &[("plane_elastic", "elastic")];
 
-/// Kinds of the reference solver that the compiler describes as another one.
+/// The kinds of the reference solver that the compiler describes as another kind.
 const REFERENCE_ALONE: &[&str] = &["line_elastic", "line_floating", "plane_floating"];
 
-/// Kinds without coordinates, which have nothing to view.
+/// The kinds without coordinates, which have no view.
 const WITHOUT_VIEW: &[&str] = &["weld"];
 
 fn root() -> PathBuf {
@@ -20,7 +20,7 @@ fn text(file: &str) -> String {
     fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
 }
 
-/// `PlaneElastic` as `plane_elastic`.
+/// Converts `PlaneElastic` to `plane_elastic`.
 fn snake(name: &str) -> String {
     let mut snake = String::new();
     for (place, letter) in name.char_indices() {
@@ -32,7 +32,7 @@ fn snake(name: &str) -> String {
     snake
 }
 
-/// The variants of an enum in a file.
+/// Returns the variants of an enum in a file.
 fn variants(file: &str, name: &str) -> Vec<String> {
     let parsed = syn::parse_file(&text(file)).expect("a Rust file");
     let found = parsed.items.into_iter().find_map(|item| match item {
@@ -43,18 +43,18 @@ fn variants(file: &str, name: &str) -> Vec<String> {
     variants.iter().map(|variant| snake(&variant.ident.to_string())).collect()
 }
 
-/// The kinds of the model.
+/// Returns the kinds of the model.
 fn kinds() -> Vec<String> {
     variants("mstmm-macros/codegen/src/model/hinge/mod.rs", "HingeKind")
 }
 
-/// The kinds that are described by a word of their own.
+/// Returns the kinds that have a separate keyword.
 fn words() -> Vec<String> {
     let other = |kind: &String| IN_A_PLANE.iter().any(|(plane, _)| plane == kind);
     kinds().into_iter().filter(|kind| !other(kind)).collect()
 }
 
-/// The names of a folder's files with an ending.
+/// Returns the names of a folder's files with an extension.
 fn files(folder: &str, ending: &str) -> Vec<String> {
     let entries = fs::read_dir(root().join(folder)).expect("a readable folder");
     let names = entries.map(|entry| entry.expect("an entry").file_name());

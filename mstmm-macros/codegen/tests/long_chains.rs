@@ -1,5 +1,5 @@
-//! Accuracy does not fall with length: accelerations of long chains, and what their hinges transmit,
-//! against the same equations in numbers of twice the precision.
+//! Tests that the accuracy does not decrease with the length of a chain: accelerations and transmitted wrenches of long
+//! chains against the same equations in twice the precision.
 
 mod common;
 
@@ -15,14 +15,14 @@ const LENGTHS: [usize; 3] = [3, 30, 300];
 const CUBE: &str = "body Cube { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
     inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input; }";
 
-/// `count` cubes on hinges of the kinds that `kind` gives in turn.
+/// Returns a chain of `count` cubes; `kind` gives the hinge of each.
 fn chain(count: usize, kind: impl Fn(usize) -> &'static str) -> Chain {
     let route: String = (0..count).map(|k| format!(" -> {} j{k} -> Cube b{k}", kind(k))).collect();
     read(&format!("chain Long {{ gravity = [0, -9.8, 0] m/s^2; {CUBE} ground{route}; }}"))
 }
 
-/// The largest error of any acceleration of a hinge, and of any force or moment at a point, relative to
-/// the largest of its kind.
+/// Returns the largest errors of the hinges' accelerations and of forces and moments at points, each relative to the largest
+/// value of its kind.
 fn errors<S: Scalar>(
     chain: &Chain,
     way: (SolutionMethod, Axes),
@@ -53,7 +53,7 @@ fn errors<S: Scalar>(
     [accelerations, if moments > forces || moments.is_nan() { moments } else { forces }]
 }
 
-/// Accelerations, forces and moments.
+/// Returns accelerations, forces and moments.
 fn quantities<S: Scalar>(computed: &Computed<S>, number: fn(S) -> f64) -> [Vec<f64>; 3] {
     let points = &computed.report.points;
     let list = |vector: fn(&Point<Structured<S>>) -> Vec3<Structured<S>>| {
@@ -63,7 +63,7 @@ fn quantities<S: Scalar>(computed: &Computed<S>, number: fn(S) -> f64) -> [Vec<f
     [accelerations, list(|point| point.force), list(|point| point.moment)]
 }
 
-/// Both methods, in the axes that they are used in, with `f64` and `f32`.
+/// Checks both methods, in the axes that they are used in, with `f64` and `f32`.
 fn check(name: &str, axes: &[Axes], kind: impl Fn(usize) -> &'static str + Copy) {
     for count in LENGTHS {
         let chain = chain(count, kind);

@@ -1,5 +1,5 @@
-//! What both methods lose where masses are far apart, on random chains beside numbers of twice the
-//! precision. The docs of chains by `transfer` quote the bound that is held here.
+//! The errors of both methods for large mass ratios, on random chains against twice the precision. The docs of chains that
+//! use `transfer` quote the bound that is tested here.
 
 mod common;
 
@@ -11,7 +11,7 @@ use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use std::fmt::Write;
 
-/// A chain of bodies of like size, a state, and the ratio of its masses.
+/// A chain of bodies of similar size, a state, and the ratio of its masses.
 struct Sample {
     text: String,
     q: Vec<f64>,
@@ -19,7 +19,7 @@ struct Sample {
     ratio: f64,
 }
 
-/// Masses are spread over so many powers of ten.
+/// Returns a sample whose masses span this number of powers of ten.
 fn sample(random: &mut Random, bodies: usize, powers: f64, balls: bool) -> Sample {
     let mut text = String::from("chain Far { gravity = [0, -9.8, 0];\n");
     let mut route = String::from("ground");
@@ -59,7 +59,7 @@ fn accelerations<S: Scalar>(sample: &Sample, method: SolutionMethod) -> Vec<S> {
     compute(&chain, (method, Axes::Body), &sample.q, &sample.v, &efforts).accelerations
 }
 
-/// The largest difference, relative to the largest acceleration.
+/// Returns the largest difference, relative to the largest acceleration.
 fn error(found: &[f64], truth: &[DoubleDouble]) -> f64 {
     let size = truth.iter().fold(0.0_f64, |size, x| size.max(x.high.abs()));
     found.iter().zip(truth).map(|(x, t)| (x - t.high).abs() / size).fold(0.0, f64::max)

@@ -1,17 +1,17 @@
-//! Every message about a description has a case that shows it in full: in `tests/ui` of the workspace,
-//! rendered by rustc, or in the tests of `model`. No message stands in both.
+//! Tests that every message about a description has exactly one case that shows it in full: in `tests/ui` of the workspace,
+//! rendered by rustc, or in the tests of `model`.
 
 use proc_macro2::{TokenStream, TokenTree};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Texts of fewer words are names of quantities and parts of messages.
+/// Shorter texts are names of quantities or parts of messages.
 const WORDS: usize = 4;
 
-/// A message of so many words is long: the tests of `model` write `…` for what `tests/ui` shows.
+/// The number of words of a long message, which the tests of `model` abbreviate with `…` if `tests/ui` shows it.
 const LONG: usize = 8;
 
-/// Macros and methods whose texts no user of the language sees.
+/// The macros and methods whose texts no user of the language sees.
 const NOT_MESSAGES: [&str; 4] = ["bug", "panic", "unreachable", "debug_assert"];
 
 /// A component takes no unit, and a wrong one is reported as such before its quantity is named.
@@ -39,7 +39,7 @@ fn long_messages_are_written_once() {
     assert!(twice.is_empty(), "tests/ui has these already, write `…` for their ends: {twice:#?}");
 }
 
-/// Whether a message could be printed from this text, in which `{…}` stands for anything.
+/// Returns whether a message could be printed from this format string.
 fn shows(message: &str, text: &str) -> bool {
     let mut rest = Some(message);
     for part in text.split('{') {
@@ -51,7 +51,7 @@ fn shows(message: &str, text: &str) -> bool {
     rest.is_some()
 }
 
-/// The messages that `tests/ui` shows.
+/// Returns the messages that `tests/ui` shows.
 fn rendered() -> Vec<String> {
     let outputs = files(&root().join("../../tests/ui"), "stderr");
     let of_output = |output: &PathBuf| {
@@ -66,7 +66,7 @@ fn rendered() -> Vec<String> {
     outputs.iter().flat_map(of_output).collect()
 }
 
-/// All texts of the sources in a folder, or of one file, but for docs and for what no user sees.
+/// Returns all string literals of the sources in a folder or of one file, except docs and texts that no user sees.
 fn texts_in(path: &Path) -> Vec<String> {
     let is_test =
         |file: &PathBuf| !path.ends_with("tests") && file.to_string_lossy().contains("/tests");
@@ -111,7 +111,7 @@ fn source(path: &str) -> PathBuf {
     root().join("src").join(path)
 }
 
-/// The files of an ending in a folder and the folders in it, or the file itself.
+/// Returns the files with an extension in a folder and its subfolders, or the file itself.
 fn files(path: &Path, ending: &str) -> Vec<PathBuf> {
     if path.is_dir() {
         let entries = fs::read_dir(path).expect("a folder");

@@ -1,5 +1,5 @@
-//! What the generated code of the golden chains costs, kept in a table: a change that moves a count
-//! shows in its diff. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test operation_counts` accepts.
+//! The operation counts of the golden chains, in a table, so that a diff shows every change of a count.
+//! `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test operation_counts` updates it.
 
 use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::diag::Diagnostics;
@@ -57,7 +57,7 @@ fn table() -> String {
     table
 }
 
-/// Of a solution that says nothing but z.
+/// Returns the operation count of a solution with the state vectors z only.
 fn solution_with_z(chain: &model::Chain, findings: &Findings, layout: &Layout) -> usize {
     let chain = model::Chain { results: Results { z: true, ..Results::NONE }, ..chain.clone() };
     cost(&compile(&chain, findings, layout), Answer::Solution).arithmetic()
@@ -74,8 +74,7 @@ fn counts_are_those_of_the_table() {
     assert!(table == committed, "now:\n{table}\nMSTMM_BLESS=1 accepts it");
 }
 
-/// Points that can be read take no operation where nobody reads them, and are kept only where parameters
-/// change them.
+/// Named points cost no operations, and the workspace stores only points that parameters change.
 #[test]
 fn points_of_bodies_cost_nothing() {
     let of = |points: &str| {

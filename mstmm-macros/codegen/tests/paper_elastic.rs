@@ -1,5 +1,5 @@
-//! The paper's elastic hinge, springs and dampers as loads on the bodies at both sides of an
-//! acceleration hinge, against the compiler's.
+//! Compares the paper's elastic hinge, with springs and dampers as loads on the bodies at both sides of an acceleration
+//! hinge, with the compiler's.
 
 mod common;
 
@@ -25,8 +25,8 @@ const ROUND: Springs<f64> = Springs {
     turning_damping: Vector3::new(0.3, 0.4, 0.5),
 };
 
-/// (53), (54) and (66): an elastic hinge, its torque and force and what they make, where θ_x and θ_y
-/// vanish and springs across ζ are alike.
+/// (53), (54) and (66): torque, force and accelerations of an elastic hinge, if θ_x and θ_y vanish and the springs across ζ
+/// are equal.
 #[test]
 fn elastic_hinges() {
     for seed in 0..CASES {
@@ -35,8 +35,8 @@ fn elastic_hinges() {
     }
 }
 
-/// What the torque of (54) leaves out: that θ̇_x turns about an axis which θ_y has turned, and that
-/// springs which differ across ζ turn to where they are softest.
+/// The terms that the torque of (54) omits: the axis of θ̇_x is rotated by θ_y, and different springs across ζ exert a torque
+/// towards the softest direction.
 #[test]
 fn elastic_hinges_with_any_turns() {
     let any = Springs {
@@ -52,8 +52,8 @@ fn elastic_hinges_with_any_turns() {
     }
 }
 
-/// How far force, torque and accelerations of two bodies on elastic hinges are from the reported
-/// ones, with turns θ_x, θ_y of the given size.
+/// Returns the largest difference of force, torque and accelerations of two bodies on elastic hinges from the reported ones,
+/// with angles θ_x, θ_y of the given size.
 fn elastic_chain(
     seed: u64,
     springs: &Springs<f64>,
@@ -102,7 +102,7 @@ fn elastic_chain(
             Motion { orientation: matrix(point.rotation), angular_velocity: plain(point.omega) };
         let body = case.bodies[k].blocks(&motion, &loads[k]).transfer_matrix();
         let hinge = acceleration_hinge::Blocks::of(&body).transfer_matrix();
-        // Before the hinge there is neither force nor moment, since both are loads.
+        // Inboard of the hinge there is neither force nor moment, since both are loads.
         let mut z = reported(&points[2 * k]);
         z.fixed_rows_mut::<6>(6).fill(0.0);
         let (found, expected) = (hinge * z, reported(point));
@@ -113,8 +113,8 @@ fn elastic_chain(
     apart
 }
 
-/// What springs between two points exert, inertial frame: the force on the outboard body at its
-/// input, and the torque on the inboard one, as in (54) and with what that leaves out.
+/// Returns what springs between two points exert, in the inertial frame: the force on the outboard body at its input, and the
+/// torque on the inboard body, as in (54) and with the terms that (54) omits.
 struct Exerted {
     force: Vector3<f64>,
     torque: Vector3<f64>,
@@ -131,13 +131,13 @@ impl Exerted {
         let rates =
             rate_matrix.lu().solve(&(second.transpose() * omega)).expect("a regular matrix");
         let third = first * rotation::rotation_matrix(&Vector3::new(0.0, 0.0, turns.z));
-        // From O to I in axes that turn.
+        // From O to I, in rotating axes.
         let shift = third.transpose() * (plain(inboard.position) - plain(outboard.position));
         let turning = third.transpose() * plain(inboard.omega) + Vector3::z() * rates.z;
         let speed = third.transpose() * (plain(inboard.velocity) - plain(outboard.velocity));
         let rate = speed - turning.cross(&shift);
         let (force, torque) = (springs.force(&shift, &rate), springs.torque(&turns, &rates));
-        // Powers: m_z turns the shift along, and m_x acts about the axis [cos θ_y, 0, −sin θ_y].
+        // From the power: m_z rotates the displacement, and m_x acts about the axis [cos θ_y, 0, −sin θ_y].
         let about = torque.z - Vector3::z().cross(&shift).dot(&force);
         let complete =
             Vector3::new((torque.x + turns.y.sin() * about) / turns.y.cos(), torque.y, about);
@@ -145,8 +145,7 @@ impl Exerted {
     }
 }
 
-/// Adds a force at a point and a torque to what acts at the centre of mass of a body whose input is
-/// `point`.
+/// Adds a force at a point and a torque to the load at the centre of mass of a body whose input is `point`.
 fn act(
     load: &mut Load<f64>,
     body: &Body<f64>,

@@ -1,6 +1,6 @@
-//! What the paper's printed equations cannot do, in numbers: the product loses accuracy with length
-//! where the compiler's two ways do not, neighbouring pins at right angles are singular, and the
-//! overall equation of the examples leaves unknowns open.
+//! The limits of the paper's printed equations, in numbers: the product of matrices loses accuracy with the length of the
+//! chain, which the compiler's two methods do not; neighbouring pins at right angles are singular; and the overall equation
+//! of the examples does not determine all unknowns.
 
 mod common;
 
@@ -15,7 +15,7 @@ use mstmm_runtime::paper::chain::{self, InputEnd, OutputEnd};
 
 const SEEDS: u64 = 3;
 
-/// r̈ and Ω̇ at all connection points.
+/// Returns r̈ and Ω̇ at all connection points.
 fn accelerations<S: Scalar>(points: &[Point<Structured<S>>], number: fn(S) -> f64) -> Vec<f64> {
     let of = |point: &Point<Structured<S>>| {
         [point.acceleration.linear.0, point.acceleration.angular.0].concat()
@@ -23,13 +23,13 @@ fn accelerations<S: Scalar>(points: &[Point<Structured<S>>], number: fn(S) -> f6
     points.iter().flat_map(of).map(|x| number(x.value())).collect()
 }
 
-/// The error of a list, relative to its largest entry; infinite where numbers are lost.
+/// Returns the error of a list, relative to its largest entry; infinite if an entry is not finite.
 fn error(found: &[f64], truth: &[f64]) -> f64 {
     let error = common::difference(found, truth);
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// The error of the compiler's equations in a precision.
+/// Returns the error of the compiler's equations in a precision.
 fn compiled<S: Scalar>(
     case: &Case,
     (seed, method): (u64, SolutionMethod),
@@ -40,7 +40,7 @@ fn compiled<S: Scalar>(
     error(&accelerations(&points, number), truth)
 }
 
-/// The error of the paper's product for N elements in a precision.
+/// Returns the error of the paper's product for N elements in a precision.
 fn product<T: Number + Into<f64>, const N: usize, const K: usize>(
     case: &Case,
     moving: &Moving<f64>,
@@ -60,7 +60,7 @@ fn product<T: Number + Into<f64>, const N: usize, const K: usize>(
 struct Errors {
     /// The paper's product, `f64` and `f32`.
     product: [f64; 2],
-    /// The worse of `riccati` and `transfer`, `f64` and `f32`.
+    /// The larger error of `riccati` and `transfer`, `f64` and `f32`.
     compiled: [f64; 2],
 }
 
@@ -98,7 +98,7 @@ fn errors<const N: usize>(hinges: impl Fn(usize) -> Hinges) -> Errors {
     worst
 }
 
-/// Errors for 1 to 60 bodies.
+/// Returns the errors for 1 to 60 bodies.
 fn by_length(hinges: impl Fn(usize) -> Hinges + Copy) -> [(usize, Errors); 9] {
     [
         (1, errors::<2>(hinges)),
@@ -113,7 +113,7 @@ fn by_length(hinges: impl Fn(usize) -> Hinges + Copy) -> [(usize, Errors); 9] {
     ]
 }
 
-/// The product starts as well as the others and ends without a digit; the others do not change.
+/// Checks that the product starts as accurate as the methods and ends without a correct digit; the methods do not change.
 fn check_growth(name: &str, hinges: impl Fn(usize) -> Hinges + Copy) {
     let all = by_length(hinges);
     for (count, Errors { product, compiled }) in &all {
@@ -159,7 +159,7 @@ fn the_product_of_oblique_pins_loses_all_digits() {
     });
 }
 
-/// (41) for two cubes whose second pin is turned from the first by an angle less than a right one.
+/// Returns (41) for two cubes whose pins include a right angle minus the angle `missing`.
 fn neighbours(missing: f64) -> (f64, f64) {
     let second = Vector3::new(0.0, missing.cos(), missing.sin());
     let case = Case::of_cubes(Hinges::Pins(vec![Vector3::z(), second]), 2);
@@ -175,9 +175,9 @@ fn neighbours(missing: f64) -> (f64, f64) {
     (determinant, error(&found, &truth))
 }
 
-/// det E₀ = −ζ₊ · u₃₂ ζ falls with the angle that is missing to 90°, and with it the digits of all
-/// that is computed; at 90° it is a rounding error, while the compiled chain moves as ever (the
-/// reference's tests hold it to that).
+/// det E₀ = −ζ₊ · u₃₂ ζ decreases with the angle that is missing to 90°, and so does the number of correct digits of all
+/// results. At 90° it is a rounding error, while the compiled chain has no singularity (compared with the reference in its
+/// tests).
 #[test]
 fn pins_at_right_angles_are_singular() {
     let mut last = 0.0;
@@ -196,18 +196,18 @@ fn pins_at_right_angles_are_singular() {
     }
 }
 
-/// Rank of the boundary's equations, with all singular values.
+/// Returns the rank of the boundary equations, with all singular values.
 fn rank<const M: usize, const K: usize>(matrix: &SMatrix<f64, M, K>) -> (usize, String) {
     let matrix = DMatrix::from_column_slice(M, K, matrix.as_slice());
     let mut values: Vec<f64> = matrix.singular_values().iter().copied().collect();
     values.sort_by(|a, b| b.total_cmp(a));
-    // Between what is and what rounding leaves there are ten decades.
+    // Ten decades lie between the singular values and the rounding errors.
     let rank = values.iter().filter(|&&value| value > 1e-10 * values[0]).count();
     let shown: Vec<String> = values.iter().map(|value| format!("{value:.1e}")).collect();
     (rank, shown.join(" "))
 }
 
-/// Ranks of the boundary's equations of three cubes: (45) as printed, and with U₁ before it.
+/// Returns the ranks of the boundary equations of three cubes: (45) as printed, and with the factor U₁.
 fn ranks<const K: usize>(
     case: &Case,
     moving: &Moving<f64>,

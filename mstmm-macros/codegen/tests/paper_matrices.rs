@@ -1,6 +1,6 @@
-//! The paper's printed matrices against the compiler's equations: at random states each transfers
-//! the state vector that the compiler reports before an element to the one behind it, and the
-//! overall product with the boundary solve gives the compiler's for the chains of the examples.
+//! Compares the paper's printed matrices with the compiler's equations. At random states each matrix transfers the state vector
+//! that the compiler reports inboard of an element to the one outboard of it, and the overall product with the solution of
+//! the boundary equations gives the compiler's state vectors for the chains of the examples.
 
 mod common;
 
@@ -14,22 +14,22 @@ use mstmm_runtime::nalgebra::{SVector, Vector2, Vector3};
 use mstmm_runtime::paper::chain::{self, InputEnd, OutputEnd};
 use mstmm_runtime::paper::{line, plane, rotation, state};
 
-/// Cases of each kind.
+/// The number of cases of each kind.
 const CASES: u64 = 25;
 const BODIES: usize = 3;
 
-/// Each element divides by a matrix with a condition number of up to a few hundred.
+/// The tolerance: each element divides by a matrix with a condition number of up to a few hundred.
 const ELEMENT: f64 = 1e-12;
 
 type Plain = Structured<f64>;
 
-/// Every element transfers what is reported before it to what is reported behind it.
+/// Returns the largest error of the transfer of a reported state vector by any element.
 fn check_elements(case: &Case, moving: &Moving<f64>) -> f64 {
     let points = &moving.computed.report.points;
     let elements = case.elements::<f64>(moving);
     let apart = elements.iter().zip(points.windows(2)).map(|(element, ends)| {
         let [before, behind] = [0, 1].map(|end| reported(&ends[end]));
-        // (43) divides by a number that may be small by chance; the entries tell.
+        // (43) divides by a number that may be small by chance; the size of its entries shows it.
         let size = element.amax().max(1.0);
         apart(&(element * before), &behind) / size
     });
@@ -73,7 +73,7 @@ fn bodies_and_acceleration_hinges_transfer_what_is_reported() {
     }
 }
 
-/// (35), (36) and (44): what passes through a pin and how it accelerates.
+/// (35), (36) and (44): the wrench that a pin transmits, and its acceleration.
 #[test]
 fn pins_accelerate_as_is_reported() {
     let axes = |random: &mut Random| Hinges::Pins((0..BODIES).map(|_| axis(random)).collect());
@@ -94,7 +94,7 @@ fn pins_accelerate_as_is_reported() {
     }
 }
 
-/// (1): the compiler turns by Bryan angles as the printed matrix does.
+/// (1): the compiler's rotation by Bryan angles is the printed matrix.
 #[test]
 fn bryan_angles_turn_as_the_printed_matrix() {
     let mut random = Random::new(7);
@@ -113,7 +113,7 @@ fn bryan_angles_turn_as_the_printed_matrix() {
     }
 }
 
-/// The overall product and the boundary solve against all reported state vectors.
+/// Compares the overall product and the solution of the boundary equations with all reported state vectors.
 fn check_chain<const N: usize, const K: usize>(
     case: &Case,
     moving: &Moving<f64>,
@@ -168,7 +168,7 @@ fn oblique_pins_in_a_chain() {
     }
 }
 
-/// The 7×7 matrices, with every element against the report and the whole chain.
+/// Compares the 7×7 matrices of a chain in the plane, element by element and as a product.
 #[test]
 fn a_chain_in_the_plane() {
     for (hinge, seed) in (0..2 * CASES).map(|seed| (["pin", "floating"][(seed % 2) as usize], seed))
@@ -232,7 +232,7 @@ fn a_chain_in_the_plane() {
     }
 }
 
-/// z in the plane.
+/// Returns z in the plane.
 fn flat(point: &Point<Plain>) -> SVector<f64, 7> {
     let z = reported(point);
     SVector::from([0, 1, 5, 8, 9, 10, 12].map(|entry| z[entry]))
@@ -270,7 +270,7 @@ fn masses_between_springs_of_section_4_4() {
         });
         let states = chain::solve(&elements, &InputEnd::entries([0]), &OutputEnd::entries([1]));
         for (k, z) in states.outputs.iter().step_by(2).enumerate() {
-            // Between the elements of body k there is its reported acceleration, and no force.
+            // Between the elements of body k the acceleration is the reported one, and the force is zero.
             let expected = reported(&computed.report.points[2 * k + 1])[0];
             assert!((z[0] - expected).abs() < 1e-11 * expected.abs().max(1e3), "{k}: {z}");
             assert!(z[1].abs() < 1e-10);

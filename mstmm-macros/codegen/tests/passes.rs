@@ -1,5 +1,4 @@
-//! Every pass keeps what a function computes: random functions with loops, parameters and pivots, from formulas to
-//! procedures.
+//! Tests that every pass preserves the results of a function, on random functions with loops, parameters and pivots.
 
 mod common;
 
@@ -22,10 +21,10 @@ use std::collections::HashMap;
 type Values = HashMap<Argument, Vec<f64>>;
 type Pass = for<'g> fn(Function<'g>) -> Function<'g>;
 
-/// Rounding of a few dozen operations on numbers that may grow to thousands.
+/// The rounding error of a few dozen operations on values of up to some thousands.
 const ROUNDED: f64 = 1e-12;
 
-/// Each pass with how much the values may change.
+/// Each pass, with the largest change of values that it may cause.
 const PASSES: [(&str, Pass, f64); 4] = [
     ("drop_unused_carries", drop_unused_carries, 0.0),
     ("factor", factor, ROUNDED),
@@ -33,7 +32,7 @@ const PASSES: [(&str, Pass, f64); 4] = [
     ("reassociate", reassociate, ROUNDED),
 ];
 
-/// Compares what is returned; pivots that vanish do so for the same hinge.
+/// Compares results; if a pivot vanishes, it must vanish for the same hinge.
 fn same(one: &Result<Vec<f64>, Failed>, other: &Result<Vec<f64>, Failed>, most: f64) -> bool {
     match (one, other) {
         (Ok(one), Ok(other)) => difference(one, other) <= most,
@@ -41,7 +40,7 @@ fn same(one: &Result<Vec<f64>, Failed>, other: &Result<Vec<f64>, Failed>, most: 
     }
 }
 
-/// The function that derives the slots of others.
+/// Returns the function that derives the slots of another function.
 fn setup_function<'g>(function: &Function<'g>, setup: &SetupSlots) -> Function<'g> {
     let parts = [None, Some(RepeatId(0)), Some(RepeatId(1))];
     let output = |part: Option<RepeatId>| {
@@ -59,7 +58,7 @@ fn setup_function<'g>(function: &Function<'g>, setup: &SetupSlots) -> Function<'
     }
 }
 
-/// What a procedure returns, its setup's having been run.
+/// Runs the setup and a procedure, and returns the results.
 fn computed(
     function: &Function,
     (procedure, setup): (&Procedure, &SetupSlots),
@@ -89,7 +88,7 @@ fn lowered(
     lower(program, function, Some(Checks { finite: NUMBERS, failure }), setup)
 }
 
-/// From one function, by all passes, to what processors run. Returns whether it has results.
+/// Compares a function after every pass, down to the procedure. Returns whether it has results.
 fn one_function(seed: u64, looped: bool) -> bool {
     let mut random = Random::new(seed);
     let graph = Graph::default();

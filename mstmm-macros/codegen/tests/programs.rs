@@ -1,5 +1,4 @@
-//! Programs compute what the equations say: an interpreter runs them on `f64` for random chains,
-//! without rustc.
+//! Compares procedures with the equations on random chains: an interpreter runs the procedures on `f64`, without rustc.
 
 mod common;
 
@@ -15,7 +14,7 @@ use mstmm_codegen::model::{Answer, Dimension, Layout, SolutionMethod};
 use mstmm_codegen::program::{Argument, ArrayRole};
 use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
-/// What is read off a solution of a point, in inertial axes.
+/// Returns the results at a point, in inertial axes.
 fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
     let (shifts, turns) = (dimension.shifts(), dimension.turns());
     let pick = |vector: Vec3<Structured<f64>>, axes: &[usize]| -> Vec<f64> {
@@ -35,7 +34,7 @@ fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
     .concat()
 }
 
-/// One random chain in a random state: programs against equations.
+/// Compares procedures and equations of one random chain in a random state.
 fn one_chain(seed: u64) {
     let mut random = Random::new(seed);
     let recipe = Recipe::any(&mut random, 5);
@@ -137,10 +136,10 @@ fn parameters_are_folded_into_slots_once() {
     assert!(parameter.is_none(), "the step reads the parameter's slots, not the parameter");
 }
 
-/// Every kind of number may be a parameter: the program with parameters at their defaults computes
-/// what the same chain with plain numbers does.
+/// Every kind of number may be a parameter: with parameters at their defaults the results are those of the same chain with
+/// literal numbers.
 #[test]
-fn parameters_may_stand_anywhere() {
+fn every_number_may_be_a_parameter() {
     let text = |value: fn(&str, f64) -> String, params: &str| {
         let n = |name: &str, number: f64| value(name, number);
         format!(

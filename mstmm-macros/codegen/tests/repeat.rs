@@ -1,4 +1,4 @@
-//! Repeated parts compute what the same chain written out does: all functions of random chains, in any state.
+//! Compares all functions of random chains with repeated parts with those of the same chains written out.
 
 mod common;
 
@@ -10,10 +10,10 @@ use common::twins::{Numbers, Twin, Twins};
 use mstmm_codegen::compile::{CompiledFunction, outputs};
 use mstmm_codegen::program::ArrayRole;
 
-/// So many units in the last place, in either precision: the chains' condition numbers reach a few thousand.
+/// The tolerance in units in the last place, in either precision: the chains' condition numbers reach a few thousand.
 const UNITS: f64 = 5e4;
 
-/// All results of a function by name; points are seen from inertial axes.
+/// Returns all results of a function by name; points are in inertial axes.
 fn results<S: Judge>(
     twin: &Twin,
     function: &CompiledFunction,
@@ -62,8 +62,8 @@ fn compare<S: Judge>(twins: &Twins, epsilon: f64) {
     assert_eq!(functions(&twins.repeated), functions(&twins.written), "seed {}", twins.seed);
 }
 
-/// Every third chain is compared in twice the precision as well, with nothing rounded while it was compiled: there
-/// both agree to so many units of that precision, so that they are the same but for rounding.
+/// Every third chain is also compared in twice the precision, with all numbers as parameters, so that nothing is rounded at
+/// compile time. Both agree to the same number of units of that precision, so that they differ by rounding only.
 fn check(seeds: std::ops::Range<u64>) {
     let mut compared = 0;
     for seed in seeds.clone() {

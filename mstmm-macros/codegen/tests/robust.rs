@@ -1,5 +1,5 @@
-//! No text makes the compiler panic: right chains with one number replaced by an extreme one, or
-//! one token left out, end in code that parses or in mistakes.
+//! Tests that no text makes the compiler panic: valid chains with one number replaced by an extreme one, or with one token
+//! omitted, give code that parses or errors.
 
 use mstmm_reference::{Ends, HingeChoice, Random, random_chain};
 use proc_macro2::{TokenStream, TokenTree};
@@ -10,7 +10,7 @@ const CHAINS: u64 = 120;
 const EXTREMES: [&str; 10] =
     ["0", "1e308", "1e-308", "1e-320", "-1e308", "1e200", "1e-200", "PI", "K", "(0 * K)"];
 
-/// Replaces token number `place`, counted through all groups.
+/// Replaces the token with index `place`, counted through all groups.
 fn replace(
     tokens: TokenStream,
     place: &mut usize,
@@ -45,7 +45,7 @@ fn tokens_of(tokens: TokenStream) -> Vec<TokenTree> {
     all
 }
 
-/// A right chain, and the text of one of its tokens.
+/// Returns a valid chain with one token changed.
 fn mutated(seed: u64) -> TokenStream {
     let mut random = Random::new(seed);
     let ends = *random.choose(&[Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld]);
@@ -68,7 +68,7 @@ fn mutated(seed: u64) -> TokenStream {
 }
 
 #[test]
-fn every_text_ends_in_code_or_in_errors() {
+fn every_text_gives_code_or_errors() {
     let (mut code, mut errors) = (0, 0);
     for seed in 0..CHAINS {
         let tokens = mutated(seed);

@@ -1,6 +1,5 @@
-//! The text of functions in the order of their equations, committed to be read: a change of one equation moves lines
-//! of the sections that hold it or own values shared with it. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test text`
-//! writes it anew.
+//! Golden texts of functions in the order of their equations. A change of one equation changes only the sections that
+//! contain it or that own values shared with it. `MSTMM_BLESS=1 cargo test -p mstmm-codegen --test text` updates them.
 
 #[path = "../examples/show.rs"]
 mod show;
@@ -8,14 +7,14 @@ mod show;
 use show::show;
 use std::path::{Path, PathBuf};
 
-/// What a person reads through.
+/// The largest number of lines that a reader can review.
 const LONGEST: usize = 330;
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
-/// The text of functions of a chain in `tests/expand`.
+/// Compares the text of functions of a chain in `tests/expand` with its golden.
 fn check(name: &str, functions: &[&str]) {
     let chain = file(&format!("expand/{name}.chain"));
     let chain = chain.to_str().expect("a path in Unicode");
@@ -75,7 +74,7 @@ fn all_functions_are_shown_one_after_the_other() {
 }
 
 #[test]
-fn what_cannot_be_shown_is_an_error() {
+fn unknown_functions_and_files_are_errors() {
     let chain = file("expand/top.chain");
     let chain = chain.to_str().expect("a path");
     let error = show(chain, Some("forces")).expect_err("no such function");

@@ -1,4 +1,4 @@
-//! Where a procedure's arguments are, and how they are read.
+//! Prints how a procedure reads its arguments.
 
 use super::closure;
 use super::loop_inputs::{LoopInput, pattern};
@@ -10,7 +10,7 @@ use crate::program::{Argument, ArrayRole, ArraySlice, ValueId};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// Reads what stands once.
+/// Prints a load outside of loops.
 pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> TokenStream {
     let cx = printer.cx;
     let array = printer.array(from);
@@ -50,13 +50,13 @@ pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
             let derived = sealed::once(cx, &quote!(self));
             quote!(let #shortened = #derived;)
         }
-        // The argument of the function has its name already.
+        // The argument of the generated function has this name already.
         Argument::Step => TokenStream::new(),
         Argument::Time => bug!("no value is read from the time"),
     }
 }
 
-/// Reads a repetition: what to iterate over, and statements that take an item apart.
+/// Prints a load in a loop: the iterator of the loop input, and statements that destructure an item.
 pub fn repeated(
     printer: &Printer,
     (argument, from): (Argument, &ArraySlice),
@@ -93,12 +93,12 @@ pub fn repeated(
     }
 }
 
-/// The variables of values.
+/// Returns the variables of values.
 fn names(printer: &Printer, into: &[Option<ValueId>]) -> Vec<Option<Ident>> {
     into.iter().map(|value| value.map(|value| printer.variables.get(value).clone())).collect()
 }
 
-/// A pattern of the first entries of an array, up to the last that is wanted.
+/// Returns a pattern of the first entries of an array, up to the last that is read.
 fn shortened(printer: &Printer, into: &[Option<ValueId>]) -> TokenStream {
     let count = into.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
     let entries = into[..count].iter().map(|value| match value {
@@ -112,7 +112,7 @@ fn shortened(printer: &Printer, into: &[Option<ValueId>]) -> TokenStream {
     quote!([#(#entries),* #rest])
 }
 
-/// Variables for all numbers of an input, also those that nothing reads: an input is taken apart as a whole.
+/// Returns variables for all values of an input, also for unread ones, since an input is destructured as a whole.
 fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) -> Vec<Ident> {
     let own = printer.cx.input_variables(input);
     let variable = |(value, own): (&Option<ValueId>, Ident)| match value {
@@ -123,7 +123,7 @@ fn input_variables(printer: &Printer, input: InputId, into: &[Option<ValueId>]) 
 }
 
 impl EmitContext<'_> {
-    /// Variables for all numbers of an input.
+    /// Returns the variables for all values of an input.
     pub fn input_variables(&self, input: InputId) -> Vec<Ident> {
         let symbols = self.compiled.unknowns.of(Argument::Input(input)).into_iter();
         symbols.map(|symbol| self.unknowns[symbol].clone()).collect()

@@ -1,4 +1,4 @@
-//! Arrays of numbers: how they are laid out, and how segments of them are read and written.
+//! The layouts of generated arrays, and expressions for their segments.
 
 use super::EmitContext;
 use crate::compile::{layouts, outputs};
@@ -7,38 +7,38 @@ use crate::program::{ArrayLayout, ArrayRole, Segment};
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-/// A literal without a suffix.
+/// Returns a literal without a suffix.
 pub fn usize_literal(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
 impl EmitContext<'_> {
-    /// The coordinates `q`.
+    /// Returns the layout of the joint coordinates `q`.
     pub fn coordinates(&self) -> ArrayLayout {
         layouts::coordinates(self.chain, self.layout)
     }
 
-    /// The rates `v`.
+    /// Returns the layout of the joint rates `v`.
     pub fn rates(&self) -> ArrayLayout {
         layouts::rates(self.chain, self.layout)
     }
 
-    /// Accelerations and efforts of all rates.
+    /// Returns the layout of one entry for every rate, including the rates of prescribed hinges.
     pub fn all_rates(&self) -> ArrayLayout {
         layouts::all_rates(self.chain, self.layout)
     }
 
-    /// All connection points.
+    /// Returns the layout of one entry for every connection point.
     pub fn points(&self) -> ArrayLayout {
         layouts::points(self.chain)
     }
 
-    /// The numbers of all connection points; points without numbers make no segment.
+    /// Returns the layout of the stored values of all connection points; points without values form no segment.
     pub fn numbers_of_points(&self) -> ArrayLayout {
         layouts::numbers_of_points(self.chain, &self.compiled.point_storage)
     }
 
-    /// What the setup derives for every repetition of a part, or what stands once.
+    /// Returns the layout of the slots of a repeated part, or of the slots outside of repeated parts.
     pub fn slots(&self, part: Option<RepeatId>) -> ArrayLayout {
         let role = ArrayRole::Result(outputs::slots(part));
         let arrays = &self.compiled.setup.procedure.arrays;
@@ -46,14 +46,14 @@ impl EmitContext<'_> {
         array.unwrap_or_else(|| bug!("the setup has no slots of a part")).layout.clone()
     }
 
-    /// A copy of a segment that stands once.
+    /// Returns an expression for a copy of a segment outside of repeated parts.
     pub fn segment(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place] = [segment.count, segment.offset].map(usize_literal);
         quote!(#mstmm::generated::segment::<_, #count, #place>(&#array))
     }
 
-    /// The numbers of a segment, repetition by repetition.
+    /// Returns an expression for the repetitions of a segment.
     pub fn slices(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =
@@ -61,7 +61,7 @@ impl EmitContext<'_> {
         quote!(#mstmm::generated::chunks::<_, #count, #place, #repetitions>(&#array))
     }
 
-    /// The numbers of a segment, repetition by repetition, to be written.
+    /// Returns an expression for mutable references to the repetitions of a segment.
     pub fn slices_mut(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
         let [count, place, repetitions] =

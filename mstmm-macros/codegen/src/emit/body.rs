@@ -1,4 +1,4 @@
-//! Results at bodies, and the types of bodies with named points.
+//! The results at bodies, and their types.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -9,14 +9,14 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::HashSet;
 
-/// The types of results at bodies with named points.
+/// Returns the types of results at bodies with named points.
 pub fn types(cx: &EmitContext) -> TokenStream {
     let mut written = HashSet::new();
     let bodies = cx.chain.bodies.iter().filter(|body| !body.points.is_empty());
     bodies.filter(|body| written.insert(body.type_name.to_string())).map(|b| own(cx, b)).collect()
 }
 
-/// The type of results at bodies of one type.
+/// Returns the type of results at bodies of one type.
 fn own(cx: &EmitContext, body: &Body) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (own_name(cx, body), &cx.passthrough.visibility);
@@ -57,7 +57,7 @@ fn own(cx: &EmitContext, body: &Body) -> TokenStream {
     }
 }
 
-/// The type of results that all bodies have.
+/// Returns the runtime's type of results at a body.
 fn common(cx: &EmitContext, body: &Body) -> TokenStream {
     let (mstmm, point) = (&cx.mstmm, point_type(cx));
     match body.written {
@@ -72,12 +72,12 @@ fn own_name(cx: &EmitContext, body: &Body) -> Ident {
     format_ident!("{}{}Result", cx.chain.name, body.type_name, span = Span::call_site())
 }
 
-/// The field of a named point, which is no field of the template.
+/// Returns the field for a named point.
 fn field(point: &Ident) -> Ident {
     format_ident!("place_of_{point}", span = Span::call_site())
 }
 
-/// The type of the results at a body.
+/// Returns the type of results at a body.
 pub fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
     if body.points.is_empty() {
         return common(cx, body);
@@ -86,8 +86,8 @@ pub fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
     quote!(#name<T>)
 }
 
-/// The results at a body whose connection points are bound to `input_` and `output_`; `first` is the
-/// number of its input among all points.
+/// Returns the expression for the results at a body whose connection points are bound to `input_` and `output_`; `first` is
+/// the index of its input among all points.
 pub fn result(
     cx: &EmitContext,
     (body, place): (BodyId, usize),
@@ -112,7 +112,7 @@ pub fn result(
     quote!(#name { common_: #common, #(#fields: #vectors,)* })
 }
 
-/// A vector that no parameter changes; zero where none reads it.
+/// Returns a vector whose entries no parameter changes; an entry that a parameter changes is never read and is zero.
 fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
     let entries = cx.chain.dimension.shifts().iter().map(|&axis| match &position[axis] {
         value if value.changes() => quote!(T::constant(0.0)),
@@ -124,7 +124,7 @@ fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
     quote!([#(#entries),*])
 }
 
-/// What can be read at a body.
+/// Lists the points whose results a body has.
 pub fn contents(body: &Body) -> String {
     let names = body.points.iter().map(|point| format!("`{}`", point.name));
     let ends = [("output", body.written.output), ("centre of mass", body.written.com)];

@@ -1,5 +1,4 @@
-//! The chain as integrators and generic code see it, and how a closed one is put back onto its
-//! closure.
+//! The implementations of `Chain` and `GeneratedChain`, with the projection of closed chains onto their loop constraints.
 
 use super::EmitContext;
 use super::quaternions;
@@ -9,7 +8,7 @@ use crate::program::{ArrayRole, Operand, Step};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The chain as integrators see it.
+/// Returns the implementation of `Chain`, which integrators use.
 pub fn chain_impl(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
@@ -75,7 +74,7 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// How a closed chain is put back onto its closure.
+/// The methods that project a closed chain onto its loop constraints.
 struct ClosureMethods {
     project: TokenStream,
     assemble: TokenStream,
@@ -145,7 +144,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
     }
 }
 
-/// The chain as generic code sees it.
+/// Returns the implementation of `GeneratedChain`, which generic code uses.
 pub fn generated(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, state, inputs) = (&cx.names.chain, &cx.names.state, &cx.names.inputs);
@@ -201,7 +200,7 @@ pub fn generated(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// Kinetic and potential energy of a chain some of whose hinges move as told.
+/// Returns the method `energy` without inputs, for a chain with prescribed hinges.
 pub fn energy(cx: &EmitContext) -> Option<TokenStream> {
     let (mstmm, state, visibility) = (&cx.mstmm, &cx.names.state, &cx.passthrough.visibility);
     cx.chain.has_prescribed_hinges().then(|| {
@@ -216,7 +215,7 @@ pub fn energy(cx: &EmitContext) -> Option<TokenStream> {
     })
 }
 
-/// Whether redundant directions of the closing hinge may hold anything.
+/// Returns whether directions of the closing hinge that count as redundant may constrain the chain.
 fn has_excess(correction: &CompiledFunction) -> bool {
     let arrays = &correction.procedure.arrays;
     let residual = arrays.position(|it| it.role == ArrayRole::Result(outputs::RESIDUAL));

@@ -1,4 +1,4 @@
-//! The tests of a procedure: whether there are results.
+//! Prints the tests of a procedure.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -9,8 +9,8 @@ use crate::program::{Argument, ArrayId, ArrayRole, PivotTest, PivotValue, Result
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Fails where something that is given is not finite. These tests stand first: behind others they would be a
-/// branch, over which the compiler moves some statements and not others.
+/// Prints the test that arguments are finite. It comes first: after other statements it would be a branch across which the
+/// compiler moves some statements and not others.
 pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
     let cx = printer.cx;
     let mstmm = &cx.mstmm;
@@ -43,7 +43,7 @@ pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
     failing(printer.on_failure.as_ref(), taken)
 }
 
-/// Statements that may fail, if there are any: where they do, results are made anew if that is asked for.
+/// Returns statements that may fail, so that the results are reset after a failure if `reset` is given.
 pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStream {
     let Some(reset) = reset.filter(|_| !statements.is_empty()) else { return statements };
     quote! {
@@ -58,7 +58,7 @@ pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStr
     }
 }
 
-/// The test at the end.
+/// Prints the check of the results.
 pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
     let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
@@ -81,7 +81,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
         match witness {
             Witness::Value(value) => numbers.push(printer.operand(value)),
             Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
-            // An array of many numbers is not handed over by value.
+            // A long array is not passed by value.
             Witness::Array(array) => {
                 let result = printer.written(*array);
                 arrays.extend(
@@ -111,7 +111,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
     }
 }
 
-/// An entry of an argument that stands once.
+/// Returns an entry of an argument, outside of repeated parts.
 fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
     let place = usize_literal(entry);
     match printer.procedure.arrays[array].role {
@@ -123,8 +123,8 @@ fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
 }
 
 impl EmitContext<'_> {
-    /// A slice that holds all numbers of an input that stands once, and statements before, which test an input of a
-    /// repeated part themselves.
+    /// Returns statements, and a slice of all values of an input. There is no slice for an input of a repeated part, which the
+    /// statements test themselves.
     fn slice_of_input(&self, number: InputId) -> (TokenStream, Option<TokenStream>) {
         let mstmm = &self.mstmm;
         let input = &self.layout.inputs[number];

@@ -1,4 +1,4 @@
-//! The rank of a closure, where it is found when parameters are set.
+//! Finds the rank of a loop closure when parameters are set.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -6,7 +6,7 @@ use crate::model::ClosureRank;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// How many directions the closing hinge holds, where their rank is found at run time.
+/// Returns the number of directions that the closing hinge constrains, if their rank is found at run time.
 pub fn directions(cx: &EmitContext) -> Option<usize> {
     match cx.findings.closure_rank {
         ClosureRank::FoundAtRunTime(directions) => Some(directions),
@@ -14,7 +14,7 @@ pub fn directions(cx: &EmitContext) -> Option<usize> {
     }
 }
 
-/// The private field of the parameters' type that keeps the steps: no parameter has its name.
+/// Returns the private field of the parameters' type with the elimination steps; its name differs from all parameters.
 pub fn steps(cx: &EmitContext) -> Ident {
     let mut name = "closure_steps_".to_owned();
     while cx.chain.parameters.iter().any(|parameter| parameter.name == name) {
@@ -23,12 +23,12 @@ pub fn steps(cx: &EmitContext) -> Ident {
     format_ident!("{name}")
 }
 
-/// A chain with the rank of its closure, found anew if frames, axes or the start may have changed.
+/// Returns the expression `chain`, or the chain with its rank found again if frames, axes or the start may have changed.
 pub fn found(cx: &EmitContext, may_have_changed: bool, chain: TokenStream) -> TokenStream {
     if may_have_changed && directions(cx).is_some() { quote!(#chain.find_rank_()) } else { chain }
 }
 
-/// What finds the rank.
+/// Returns the method that finds the rank, if it is found at run time.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let Some(directions) = directions(cx) else { return TokenStream::new() };
     let (mstmm, steps) = (&cx.mstmm, steps(cx));

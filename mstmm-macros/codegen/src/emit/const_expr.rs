@@ -1,11 +1,11 @@
-//! Formulas of constants as Rust expressions.
+//! Prints formulas of constants as Rust expressions.
 
 use super::EmitContext;
 use crate::model::{Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// A formula of constants as an `f64` expression, with parameters at their defaults.
+/// Returns a formula of constants as an `f64` expression, with parameters at their defaults.
 pub fn value_tokens(cx: &EmitContext, value: &Value) -> TokenStream {
     let go = |value: &Value| value_tokens(cx, value);
     match value {
@@ -33,7 +33,7 @@ pub fn value_tokens(cx: &EmitContext, value: &Value) -> TokenStream {
     }
 }
 
-/// `core` has no such functions of `f64`; the runtime has.
+/// Returns the call of a function of `f64` in the runtime, since `core` has none.
 fn function(cx: &EmitContext, name: &str, argument: TokenStream) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = format_ident!("{name}");

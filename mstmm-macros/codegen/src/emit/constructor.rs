@@ -1,4 +1,4 @@
-//! The chain's type, how it is made and where it starts.
+//! The chain's type, its constructors and its initial state.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -15,7 +15,7 @@ use crate::model::{Bound, Requirement, Symbol, Value};
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
-/// `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
+/// Returns `struct Chain<T>`, `struct ChainParameters<T>` and their constructors.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let chain = chain_type(cx);
@@ -61,7 +61,7 @@ fn chain_type(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// `new`, `parameters` and the evaluation of constants.
+/// Returns `new`, `parameters` and the evaluation of constants.
 fn constructors(cx: &EmitContext) -> TokenStream {
     let (mstmm, field) = (&cx.mstmm, sealed::field());
     let (parameters, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
@@ -108,8 +108,7 @@ fn constructors(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// The chain with what follows from parameters and constants, once for all steps; and the numbers to
-/// be checked.
+/// Returns the method that derives the slots from parameters and constants, and the values to be checked.
 fn derive(cx: &EmitContext) -> TokenStream {
     let (mstmm, field) = (&cx.mstmm, sealed::field());
     let procedure = &cx.compiled.setup.procedure;
@@ -145,8 +144,8 @@ fn derive(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// What must hold of Rust constants is checked while the user's crate compiles, with the parameters
-/// at their defaults.
+/// Returns the assertion of a requirement on Rust constants, which is evaluated when the user's crate compiles, with the
+/// parameters at their defaults.
 fn assertion(cx: &EmitContext, requirement: &Requirement) -> Option<TokenStream> {
     let conditions = requirement.iter().filter(|condition| is_const(cx, &condition.value));
     let checks = conditions.rev().fold(TokenStream::new(), |rest, condition| {
@@ -178,7 +177,7 @@ fn assertion(cx: &EmitContext, requirement: &Requirement) -> Option<TokenStream>
     })
 }
 
-/// Whether a formula can be evaluated in a `const` item.
+/// Returns whether a formula can be evaluated in a `const` item.
 fn is_const(cx: &EmitContext, value: &Value) -> bool {
     let is_const = |value: &Value| is_const(cx, value);
     match value {

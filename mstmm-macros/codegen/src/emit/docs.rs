@@ -1,4 +1,4 @@
-//! What the generated docs say of a chain.
+//! The docs of a generated chain.
 
 use super::{EmitContext, drawing};
 use crate::examine::Mobility;
@@ -7,7 +7,7 @@ use crate::model::{
 };
 use crate::program::{Cost, Procedure, SectionCost, by_heading};
 
-/// The chain at a glance: its route, a picture, its elements, its freedoms, its method and costs.
+/// Returns the overview of a chain: route, picture, elements, degrees of freedom, method and operation counts.
 pub fn chain(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
     lines.push(format!(" `{}`", route(cx)));
@@ -36,11 +36,11 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     lines
 }
 
-/// The relative error of accelerations by `transfer`, in units of ε, is at most so many times the ratio of masses
-/// and ten: more than twice what random chains lose (`tests/mass_ratio.rs`).
+/// The bound of the relative error of accelerations by `transfer`, in units of ε, divided by the sum of ten and the mass
+/// ratio. It is more than twice the largest error of random chains (`tests/mass_ratio.rs`).
 const TRANSFER_LOSS: f64 = 100.0;
 
-/// What `transfer` loses where masses are far apart.
+/// Returns the precision of `transfer`, if it may lose digits because of the mass ratio.
 fn precision(cx: &EmitContext) -> Vec<String> {
     let Some(ratio) = cx.findings.mass_ratio else { return Vec::new() };
     if cx.compiled.method == SolutionMethod::Riccati {
@@ -59,7 +59,7 @@ fn precision(cx: &EmitContext) -> Vec<String> {
     vec![String::new(), text]
 }
 
-/// What a solution says.
+/// Lists the results of a solution.
 pub fn results(cx: &EmitContext) -> String {
     let Results { poses, velocities, z, energies } = cx.chain.results;
     let chosen = |words: &[(bool, &'static str)]| -> Vec<&'static str> {
@@ -73,7 +73,7 @@ pub fn results(cx: &EmitContext) -> String {
     format!("{} and, at every connection point, {}", once.join(", "), listed(&points))
 }
 
-/// How many freedoms there are, and how a closure holds the chain.
+/// Returns the degrees of freedom, and the constraints of a loop closure.
 fn freedoms(cx: &EmitContext) -> Vec<String> {
     let count = cx.rates().total;
     if cx.layout.loop_hinges.is_empty() {
@@ -99,7 +99,7 @@ fn freedoms(cx: &EmitContext) -> Vec<String> {
     lines
 }
 
-/// The route as written, without arguments.
+/// Returns the route as written, without arguments.
 fn route(cx: &EmitContext) -> String {
     let chain = cx.chain;
     let end = |place: &Attachment| match place {
@@ -155,7 +155,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
     }
 }
 
-/// An axis whose components are known.
+/// Returns an axis, if its components are known.
 fn axis(axis: &[Value; 3]) -> Option<String> {
     let [x, y, z] = axis.each_ref().map(Value::known);
     let axis = [x?, y?, z?];
@@ -167,7 +167,7 @@ fn axis(axis: &[Value; 3]) -> Option<String> {
     })
 }
 
-/// The operations of a procedure by headings.
+/// Returns the operation counts of a procedure by heading.
 pub fn cost(procedure: &Procedure) -> Vec<String> {
     let total = procedure.cost();
     if total == Cost::default() {
@@ -191,14 +191,14 @@ pub fn cost(procedure: &Procedure) -> Vec<String> {
     lines
 }
 
-/// A parameter with its unit.
+/// Returns the description of a parameter, with its unit.
 pub fn parameter(parameter: &Parameter) -> String {
     let unit =
         if parameter.unit.is_empty() { String::new() } else { format!(" in {}", parameter.unit) };
     format!(" `{}`{unit}.", parameter.name)
 }
 
-/// The method's name.
+/// Returns the name of a method.
 fn method_name(method: SolutionMethod) -> &'static str {
     match method {
         SolutionMethod::Riccati => "riccati",

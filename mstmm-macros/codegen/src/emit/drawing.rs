@@ -1,19 +1,19 @@
-//! A picture of a chain as it starts, for the docs of its type: a person sees at once whether it is
-//! the one that was meant.
+//! Draws a chain in its initial state, for the docs of its type, so that a user sees errors in the description at once.
 
 use super::gravity;
 use crate::examine::Drawing;
 use crate::model::{Attachment, Dimension, Element, Hinge, HingeKind};
 
-/// The longer side of the picture, and the room around it.
+/// The longer side of the drawing without margins, in pixels.
 const SIZE: f64 = 400.0;
+/// The margin, in pixels.
 const MARGIN: f64 = 36.0;
-/// TypeNames of more elements would cover each other.
+/// The largest number of elements that get labels; more labels would overlap.
 const NAMED: usize = 24;
 
 const BLUE: &str = "#3a87c8";
 
-/// The lines of the picture. Along each axis that shows there is a line, along gravity an arrow.
+/// Returns the lines of the picture as SVG, with the inertial axes and an arrow along gravity.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
     let camera = Camera::of(drawing);
     let [mut width, height] = camera.size;
@@ -53,13 +53,13 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     lines
 }
 
-/// How the world is seen: a plane chain from the front, one in space from above a corner.
+/// The projection onto the picture: a plane chain is seen from the front, a chain in space in an isometric view.
 struct Camera {
-    /// What each axis is on the picture, right and down.
+    /// The projection of each axis: right and down.
     axes: [[f64; 2]; 3],
-    /// Pixels for a metre.
+    /// The scale in pixels per metre.
     scale: f64,
-    /// Where the inertial origin is.
+    /// The projection of the inertial origin, in pixels.
     origin: [f64; 2],
     size: [f64; 2],
 }
@@ -68,7 +68,7 @@ impl Camera {
     fn of(drawing: &Drawing) -> Camera {
         let axes = axes(drawing.chain.dimension, drawing.up);
         let mut camera = Camera { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
-        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| camera.place(point));
+        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| camera.project(point));
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in seen {
             for k in 0..2 {
@@ -86,8 +86,8 @@ impl Camera {
         camera
     }
 
-    /// Where a point is on the picture.
-    fn place(&self, point: &[f64; 3]) -> [f64; 2] {
+    /// Projects a point.
+    fn project(&self, point: &[f64; 3]) -> [f64; 2] {
         [0, 1].map(|k| {
             let seen: f64 = self.axes.iter().zip(point).map(|(axis, x)| axis[k] * x).sum();
             self.origin[k] + seen * self.scale
@@ -95,7 +95,7 @@ impl Camera {
     }
 }
 
-/// What each axis is on the picture, right and down, where this one is nearest to the vertical.
+/// Returns the projection of each axis, right and down; `up` is the axis that is nearest to the vertical.
 pub(super) fn axes(dimension: Dimension, up: usize) -> [[f64; 2]; 3] {
     let (c, s) = (0.866, 0.5);
     let [near, across, upwards] = [[-c, s], [c, s], [0.0, -1.0]];
@@ -107,7 +107,7 @@ pub(super) fn axes(dimension: Dimension, up: usize) -> [[f64; 2]; 3] {
     }
 }
 
-/// The directions of the inertial axes, in the corner.
+/// Draws the directions of the inertial axes in the corner.
 fn triad(dimension: Dimension, camera: &Camera) -> Vec<String> {
     let [x, y] = [22.0, camera.size[1] - 22.0];
     let arrow = |&axis: &usize| {
@@ -124,10 +124,10 @@ fn triad(dimension: Dimension, camera: &Camera) -> Vec<String> {
     dimension.shifts().iter().map(arrow).collect()
 }
 
-/// A body: a bar from its input to its output, and a dot at its centre of mass.
+/// Draws a body: a bar from its input to its output, and a dot at its centre of mass.
 fn body(drawing: &Drawing, camera: &Camera, place: usize) -> String {
-    let [input, output] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
-    let centre = camera.place(&drawing.centres[place]);
+    let [input, output] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
+    let centre = camera.project(&drawing.centres[place]);
     format!(
         " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
          <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
@@ -142,7 +142,7 @@ fn body(drawing: &Drawing, camera: &Camera, place: usize) -> String {
     )
 }
 
-/// What holds the ends: strokes on the ground, dashed where an end moves.
+/// Draws the attachment of the chain's ends: hatching for the ground, dashed for a moving end.
 fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     let chain = &drawing.chain;
     let hinge = |element: Option<&Element>| match element {
@@ -152,7 +152,7 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
     let end = |(place, point): (&Attachment, usize)| {
-        let [x, y] = camera.place(&drawing.points[point]);
+        let [x, y] = camera.project(&drawing.points[point]);
         let dashes = match place {
             Attachment::Ground(_) => "",
             Attachment::Input(_) | Attachment::Output(_) => " stroke-dasharray=\"3 3\"",
@@ -167,10 +167,10 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     first.into_iter().chain(last).map(end).collect()
 }
 
-/// A hinge: a line between its sides, and a sign for what it lets free: a ring where it turns about
-/// axes, a disc where it turns in all ways, a box where it shifts, a cross where it is welded.
+/// Draws a hinge: a line between its frames, and a symbol for its degrees of freedom: a ring for rotations about axes, a
+/// disc for a ball, a box if it translates, a cross for a weld.
 fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> String {
-    let [inboard, outboard] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
+    let [inboard, outboard] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
@@ -200,19 +200,19 @@ fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> Str
     format!(" {way}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
 }
 
-/// The name of an element on the picture.
+/// The label of an element.
 struct Label {
     text: String,
     at: [f64; 2],
-    /// Whether it is the name of a body, in the middle over its place.
+    /// Whether it labels a body, centred at its position.
     is_body: bool,
 }
 
-/// About how wide a letter is.
+/// The approximate width of a letter, in pixels.
 const LETTER: f64 = 7.0;
 
 impl Label {
-    /// How far it reaches to the right.
+    /// Returns its right end.
     fn right(&self) -> f64 {
         let width = self.text.chars().count() as f64 * LETTER;
         self.at[0] + if self.is_body { width / 2.0 } else { width }
@@ -225,10 +225,10 @@ impl Label {
     }
 }
 
-/// The labels of bodies beside their middles, those of hinges beside their signs.
+/// Returns the labels: those of bodies near their middle, those of hinges near their symbol.
 fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
     let name = |(place, element): (usize, &Element)| {
-        let [a, b] = [place, place + 1].map(|end| camera.place(&drawing.points[end]));
+        let [a, b] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
         match *element {
             Element::Body(index) => Label {
                 text: drawing.chain.bodies[index].name.to_string(),

@@ -1,16 +1,15 @@
-//! What chains with mistakes become: types that are errors to rustc, which reports nothing of their use.
+//! The types of chains with errors: rustc treats them as error types and reports no further errors where they are used.
 
 use crate::syntax::{ChainSyntax, RouteItemSyntax};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
 
-/// The types of `chains`, at least one of which has `mistakes`, and these.
+/// Returns the types of chains with errors, and the errors.
 ///
-/// The inputs of the first chain are a type whose definition contains the errors, and the parameter of all other
-/// types. rustc checks nothing that depends on such a type: not which methods and fields it has, of which kind they
-/// are, nor which traits it implements. The other types are structs, so that users can implement their own traits
-/// and methods for them.
+/// The inputs of the first chain are a type whose definition contains the errors. This type is the parameter of all other
+/// types. rustc checks nothing that depends on an error type: neither methods and fields nor implemented traits. The other
+/// types are structs, so that users can implement traits and methods for them.
 pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
     let errors = errors.to_compile_error();
     let Some(first) = chains.first() else { return errors };
@@ -51,8 +50,8 @@ pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
     types
 }
 
-/// The names of all types of a chain but its inputs, whose values users write field by field. Any name of a block or
-/// word of the route may be a type of body, whatever else is wrong with it.
+/// Returns the names of all types of a chain except its inputs, which users construct field by field. Any name of a block
+/// or of the route may be a type of body.
 fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
     let of_chain =
@@ -66,7 +65,7 @@ fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     [name.clone()].into_iter().chain(of_chain).chain(results)
 }
 
-/// Whether a type can be called so.
+/// Returns whether a name is a valid identifier of a type.
 fn is_identifier(name: &Ident) -> bool {
     let text = name.to_string();
     match text.strip_prefix("r#") {

@@ -1,15 +1,15 @@
-//! The arrow of gravity on the picture of a chain.
+//! Draws the arrow of gravity on the picture of a chain.
 
-/// The width of the room for the arrow.
+/// The width of the space for the arrow, in pixels.
 pub const ROOM: f64 = 60.0;
-/// The length of an arrow that is not foreshortened.
+/// The length of an arrow that is not foreshortened, in pixels.
 const LENGTH: f64 = 28.0;
-/// An arrow that is shorter than this part of its length is drawn as if it were seen along it.
+/// The smallest foreshortening: a shorter arrow is drawn as if it pointed along the line of sight.
 const SHORTEST: f64 = 0.2;
-/// The length of the strokes at the point of the arrow.
+/// The length of the strokes of the arrow head, in pixels.
 const HEAD: f64 = 7.0;
 
-/// How gravity is seen.
+/// The direction of gravity on the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sign {
     /// In this direction, pixels to the right and down.
@@ -21,7 +21,7 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// Gravity where the inertial axes are seen so, right and down; none where it is not known.
+    /// Returns the direction of gravity for this projection of the inertial axes; none if gravity is unknown.
     pub fn of(axes: &[[f64; 2]; 3], gravity: Option<[f64; 3]>) -> Option<Sign> {
         let gravity = gravity?;
         let largest = gravity.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()));
@@ -39,7 +39,7 @@ impl Sign {
         Some(if towards { Sign::Towards } else { Sign::Away })
     }
 
-    /// The sign in the middle of a room that begins at this place.
+    /// Draws the symbol in the middle of the space that starts at this position.
     pub fn drawn(self, [left, middle]: [f64; 2]) -> String {
         let [x, y] = [left + ROOM / 2.0, middle];
         let (sign, [right, down]) = match self {
@@ -67,7 +67,7 @@ impl Sign {
     }
 }
 
-/// An arrow with its middle at this place.
+/// Draws an arrow with its middle at this position.
 fn arrow([x, y]: [f64; 2], [right, down]: [f64; 2]) -> String {
     let length = right.hypot(down);
     let [along, across] = [[right, down], [-down, right]].map(|way| way.map(|part| part / length));
@@ -83,7 +83,7 @@ fn arrow([x, y]: [f64; 2], [right, down]: [f64; 2]) -> String {
     )
 }
 
-/// Beside an arrow, to its right; above one that lies level.
+/// Returns the offset of the letter: to the right of an arrow, above a horizontal one.
 fn beside([right, down]: [f64; 2]) -> [f64; 2] {
     let distance = 13.0 / right.hypot(down);
     let across = [down * distance, -right * distance];

@@ -1,11 +1,11 @@
-//! TypeNames of a description that stand in it again: an editor follows them to where they were given.
+//! Lets an editor follow names in a description to their definitions.
 
 use super::EmitContext;
 use crate::syntax::References;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Code that does nothing but name things at the places where the description does.
+/// Returns code without effect that uses names with the spans of the description.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let (mstmm, workspace) = (cx.mstmm, &cx.names.workspace);
     let References { elements, types, uses_of_types } = &cx.passthrough.references;

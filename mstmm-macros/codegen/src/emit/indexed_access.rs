@@ -1,5 +1,4 @@
-//! Access by index to the hinges and bodies of repeated parts, and access to all others of such a
-//! chain.
+//! The access to hinges and bodies of chains with repeated parts: by index within a repeated part.
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
@@ -12,8 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// Where the numbers of a hinge that has coordinates lie: the segment of each array, and the numbers'
-/// places in the segment.
+/// The segments of a hinge's coordinates and rates, and the ranges of its entries within them.
 struct HingeSegments {
     q: (Segment, Range<usize>),
     v: (Segment, Range<usize>),
@@ -31,7 +29,7 @@ impl HingeSegments {
         }
     }
 
-    /// What takes the numbers of one time out of the arrays.
+    /// Returns statements that read the entries of one repetition, or that borrow them mutably if `change`.
     fn taken(&self, cx: &EmitContext, at: &TokenStream, change: bool) -> TokenStream {
         let take =
             |(segment, range): &(Segment, Range<usize>), letter: &str, array: TokenStream| {
@@ -56,7 +54,7 @@ fn variable(letter: &str, number: usize) -> TokenStream {
     quote!(#name)
 }
 
-/// The arguments of a view's constructor, group by group, under names that begin with `prefix`.
+/// Returns the arguments of a view's constructor, by group; the names of the variables start with `prefix`.
 fn groups(cx: &EmitContext, hinge: HingeId, prefix: &str) -> Vec<TokenStream> {
     let group = |group: &ViewArgument| {
         let (letter, range) = match group {
@@ -74,7 +72,7 @@ fn view_name(cx: &EmitContext, hinge: HingeId, suffix: &str) -> Ident {
     format_ident!("{}{suffix}", cx.view(hinge).name)
 }
 
-/// The views of a repeated hinge.
+/// Returns the methods for the views of a repeated hinge.
 pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[hinge].name;
@@ -134,7 +132,7 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
     }
 }
 
-/// The views of a hinge that stands once.
+/// Returns the methods for the views of a hinge outside of repeated parts.
 pub fn single_accessors(
     cx: &EmitContext,
     hinge: HingeId,
@@ -156,7 +154,7 @@ pub fn single_accessors(
     };
     let (read_q, read_v) =
         (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
-    // Counted from the nearer end, so that it stays short behind a long repeated part.
+    // The pattern counts from the nearer end, so that it stays short after a long repeated part.
     let change =
         |layout: ArrayLayout, (segment, range): (&Segment, &Range<usize>), letter, array| {
             let names = (0..range.len()).map(|k| variable(letter, k));
@@ -198,15 +196,15 @@ pub fn single_accessors(
     }
 }
 
-/// Where an element's input point lies among all points: the first time, and how many points on from
-/// there every further time.
+/// Returns the index of an element's input point among all points in the first repetition, and the number of points from one
+/// repetition to the next.
 pub fn points_of(cx: &EmitContext, place: usize) -> (usize, usize) {
     let layout = cx.points();
     let segment = layout.segment_of(place + 1);
     (segment.offset + place - segment.first, segment.count)
 }
 
-/// The result of a repeated body.
+/// Returns the method for the results of a repeated body.
 pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
@@ -227,7 +225,7 @@ pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> 
     }
 }
 
-/// The result of a repeated hinge.
+/// Returns the method for the results of a repeated hinge.
 pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[index].name;
@@ -275,7 +273,7 @@ pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -
     }
 }
 
-/// Binds `input` and `output` of a repeated element.
+/// Returns statements that bind `input` and `output` of a repeated element.
 fn ends(cx: &EmitContext, place: usize, count: usize) -> TokenStream {
     let (first, stride) = points_of(cx, place);
     let [first, stride, count] = [first, stride, count].map(usize_literal);

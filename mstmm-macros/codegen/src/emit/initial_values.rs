@@ -1,4 +1,4 @@
-//! What a workspace starts with.
+//! The initial values of a workspace.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -7,7 +7,7 @@ use crate::program::{Array, ArrayRole, OutputId};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// An array of a solution before anything is computed: zeros, and the numbers that are the same in every state.
+/// Returns the initial array of a result: zeros, and the values that are the same in every state.
 pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
     let array = array(cx, id);
     let count = usize_literal(array.layout.total);
@@ -25,13 +25,13 @@ pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
     quote!(#mstmm::generated::with_constants(#zeros, &[#(#known),*]))
 }
 
-/// A number of a solution before anything is computed.
+/// Returns the initial value of an entry of a result.
 pub fn number_at_first(cx: &EmitContext, id: OutputId, entry: usize) -> TokenStream {
     let known = array(cx, id).initial.iter().find(|(other, _)| *other == entry);
     constant(known.map_or(0.0, |(_, value)| *value))
 }
 
-/// A number of a chain without inertia need not be finite: its test fails before anyone reads it.
+/// Returns a constant. It may be infinite if a chain has no inertia; the test of the pivots fails before anyone reads it.
 fn constant(value: f64) -> TokenStream {
     if value.is_finite() {
         quote!(T::constant(#value))
@@ -40,7 +40,7 @@ fn constant(value: f64) -> TokenStream {
     }
 }
 
-/// How many numbers a result of a solution has, if there is one.
+/// Returns the length of a result, if the solution has it.
 pub fn count(cx: &EmitContext, id: OutputId) -> Option<usize> {
     find(cx, id).map(|array| array.layout.total)
 }

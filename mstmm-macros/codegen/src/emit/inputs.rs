@@ -1,4 +1,4 @@
-//! What the caller gives at every step.
+//! The inputs: values that the caller supplies at every step.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -7,7 +7,7 @@ use crate::model::{Hinge, HingeId, Input, InputKind, StateView, ViewArgument};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// `struct ChainInputs<T>` and how to get one.
+/// Returns `struct ChainInputs<T>` and its constructors.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.inputs, &cx.passthrough.visibility);
@@ -57,7 +57,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// How many there are of an input to a repeated part.
+/// Returns the number of repetitions of an input to a repeated part.
 fn times(cx: &EmitContext, input: &Input) -> Option<Literal> {
     let repeat = cx.chain.repeat_of_input(input.what)?;
     Some(usize_literal(cx.chain.repeats[repeat].count))
@@ -126,7 +126,7 @@ fn view_name(cx: &EmitContext, hinge: HingeId) -> Ident {
 }
 
 impl EmitContext<'_> {
-    /// The view of a hinge that has coordinates.
+    /// Returns the view of a hinge that has coordinates.
     pub fn view(&self, hinge: HingeId) -> &'static StateView {
         let Hinge { name, kind, .. } = &self.chain.hinges[hinge];
         kind.spec()
@@ -135,7 +135,7 @@ impl EmitContext<'_> {
             .unwrap_or_else(|| bug!("hinge `{name}` has no coordinates to view"))
     }
 
-    /// The type of so many numbers: a number, or a vector.
+    /// Returns the type of this number of values: a scalar or a vector.
     pub fn numbers_type(&self, count: usize) -> TokenStream {
         let mstmm = &self.mstmm;
         match count {
@@ -145,7 +145,7 @@ impl EmitContext<'_> {
         }
     }
 
-    /// Takes an input apart into variables for all its numbers.
+    /// Returns statements that destructure an input into variables for all its values.
     pub fn read_input(&self, input: InputId, from: &TokenStream, symbols: &[Ident]) -> TokenStream {
         let input = &self.layout.inputs[input];
         match input.what {
@@ -174,7 +174,7 @@ impl EmitContext<'_> {
     }
 }
 
-/// Takes numbers out of a number, or out of a vector.
+/// Returns statements that destructure a scalar or a vector.
 fn take(variables: &[Ident], from: TokenStream) -> TokenStream {
     match variables {
         [one] => quote!(let #one = #from;),

@@ -1,12 +1,12 @@
-//! What loops go over: patterns and the iterators whose items they take apart.
+//! The inputs of loops: iterators, and the patterns that destructure their items.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-/// A pattern and the iterator whose items it takes apart.
+/// A pattern, and the iterator whose items it destructures.
 pub type LoopInput = (TokenStream, TokenStream);
 
-/// A pattern of an array's numbers.
+/// Returns a pattern of an array's entries.
 pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
     let names = names.iter().map(|name| match name {
         Some(name) => quote!(#name),
@@ -15,7 +15,7 @@ pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
     quote!([#(#names),*])
 }
 
-/// One pattern and one iterator for several.
+/// Zips several loop inputs into one.
 pub fn zipped(inputs: Vec<LoopInput>, times: &Literal, inward: bool) -> LoopInput {
     let mut inputs = inputs.into_iter();
     let (mut pattern, mut iterator) = inputs.next().unwrap_or((quote!(_), quote!((0..#times))));

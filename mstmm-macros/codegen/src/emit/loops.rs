@@ -1,4 +1,4 @@
-//! Loops of a procedure: what they read comes from iterators, which are zipped.
+//! Prints the loops of a procedure. A loop zips one iterator per array that it reads or writes.
 
 use super::arguments;
 use super::arrays::usize_literal;
@@ -11,7 +11,7 @@ use crate::program::{
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// Declares the flags for the tests of pivots and the arrays for what loops leave.
+/// Declares the flags of the pivot tests and the arrays of values that loops store for later loops.
 pub fn opened(printer: &Printer) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
     let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
@@ -37,7 +37,7 @@ fn local(array: ArrayId) -> Ident {
     helper(&format!("store{}", array.index()))
 }
 
-/// A loop.
+/// Prints a loop.
 pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
     let cx = printer.cx;
     let mstmm = &cx.mstmm;
@@ -99,7 +99,7 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
     }
 }
 
-/// What a loop reads of what an earlier one has left, which has put it there in its own order.
+/// Returns the iterator over values of an earlier loop, which has stored them in the order of its own direction.
 fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> LoopInput {
     let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
     let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
@@ -120,7 +120,7 @@ fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) ->
     (quote!(&#pattern), times)
 }
 
-/// Writes what a loop has for a segment of a result.
+/// Prints the store of a loop into a segment of a result.
 fn write(
     printer: &Printer,
     to: &ArraySlice,
@@ -133,7 +133,8 @@ fn write(
     ((pattern(&names), quote!(#slices.iter_mut())), writes)
 }
 
-/// Writes results of a chain with loops that stand once, or are the same in every repetition.
+/// Prints the store, in a procedure with loops, of results that lie outside of repeated parts or are the same in every
+/// repetition.
 pub fn fill(printer: &Printer, to: &ArraySlice, values: &[Option<Operand>]) -> TokenStream {
     let array = printer.filled(to.array);
     let segment = segment(printer, to);
@@ -150,7 +151,7 @@ fn segment<'a>(printer: &'a Printer, place: &ArraySlice) -> &'a Segment {
     &printer.array(place).layout.segments[place.segment]
 }
 
-/// TypeNames of places that are written, and what writes them.
+/// Returns the names of the entries that are written, and the statements that write them.
 fn assigned(
     printer: &Printer,
     (to, segment): (&ArraySlice, &Segment),

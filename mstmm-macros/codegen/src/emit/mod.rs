@@ -1,4 +1,4 @@
-//! From programs to Rust: the only place that writes tokens.
+//! Prints procedures as Rust: the only module that writes items.
 
 mod arguments;
 mod arrays;
@@ -44,7 +44,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 pub use warning::warning;
 
-/// All that the parts of the expansion are written from.
+/// The inputs of all modules that write parts of the expansion.
 struct EmitContext<'a> {
     chain: &'a Chain,
     passthrough: &'a Passthrough,
@@ -52,13 +52,13 @@ struct EmitContext<'a> {
     compiled: &'a Compiled,
     findings: &'a Findings,
     names: TypeNames,
-    /// The variables that unknowns are, by number.
+    /// The variables of the unknowns.
     unknowns: IdVec<SymbolId, Ident>,
     /// The path of the crate `mstmm`.
     mstmm: &'a TokenStream,
 }
 
-/// The items that stand for `chain` in the user's crate, which calls `mstmm` by this path.
+/// Returns the items of a chain. `mstmm` is the path of the crate `mstmm` in the user's crate.
 pub fn expand(
     chain: &Chain,
     passthrough: &Passthrough,
@@ -87,12 +87,12 @@ pub fn expand(
 }
 
 impl EmitContext<'_> {
-    /// The variable of the length of an implicit step.
+    /// Returns the variable of the length of an implicit step.
     fn step(&self) -> &Ident {
         &self.unknowns[self.compiled.unknowns.of(Argument::Step).first()]
     }
 
-    /// Statements that may fail and that make a workspace anew where they do.
+    /// Returns statements that may fail, so that the workspace is reset after a failure.
     fn reset_where_it_fails(&self, statements: TokenStream) -> TokenStream {
         let mstmm = &self.mstmm;
         let reset = quote!(#mstmm::generated::reset(at_, || self.workspace()););

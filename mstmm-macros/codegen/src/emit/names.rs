@@ -1,26 +1,26 @@
-//! All identifiers of the expansion.
+//! The identifiers of the expansion.
 
 use crate::model::Chain;
 use crate::program::{ValueId, ValueNames};
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-/// TypeNames of the generated types.
+/// The names of the generated types.
 pub struct TypeNames {
-    /// The chain's own.
+    /// The chain.
     pub chain: Ident,
-    /// Coordinates, rates, time.
+    /// The state: coordinates, rates, time.
     pub state: Ident,
-    /// What the caller gives at every step.
+    /// The inputs that the caller supplies at every step.
     pub inputs: Ident,
-    /// Numbers that may change at run time.
+    /// The parameters: values that may change at run time.
     pub parameters: Ident,
-    /// Where results are written.
+    /// The workspace: the results.
     pub workspace: Ident,
 }
 
 impl TypeNames {
-    /// The names of `chain`.
+    /// Returns the names for a chain.
     pub fn of(chain: &Chain) -> Self {
         let named = |suffix: &str| format_ident!("{}{suffix}", chain.name);
         TypeNames {
@@ -33,37 +33,37 @@ impl TypeNames {
     }
 }
 
-/// The variables that a program's values are.
+/// The variables of a program's values.
 #[derive(Default)]
 pub struct Variables(Vec<Ident>);
 
 impl Variables {
-    /// Those of values with these names.
+    /// Returns the variables of values with these names.
     pub fn of(names: &ValueNames) -> Self {
         Variables(names.all().iter().map(|text| variable(text)).collect())
     }
 
-    /// That of a value.
+    /// Returns the variable of a value.
     pub fn get(&self, value: ValueId) -> &Ident {
         &self.0[value.index()]
     }
 }
 
-/// The variable of an unknown or a value.
+/// Returns the variable of an unknown or a value.
 ///
-/// It has the hygiene of `macro_rules`, and so is none of those that templates write or [`helper`] makes,
-/// whatever users call what it is named after.
+/// It has the hygiene of `macro_rules`. It therefore differs from all variables of templates and of [`helper`], whatever
+/// names the user has chosen.
 pub fn variable(text: &str) -> Ident {
     Ident::new(&ended(text), Span::mixed_site())
 }
 
-/// A variable of the generated code's own.
+/// Returns an auxiliary variable of the generated code.
 pub fn helper(text: &str) -> Ident {
     Ident::new(&ended(text), Span::call_site())
 }
 
-/// A name with a low line at its end, as in all templates: where a constant or a static of the user had the
-/// same name, Rust would take the variable for that one.
+/// Appends an underscore, as in all templates. If the user's code had a constant or a static of the same name, Rust would
+/// take the variable for it.
 fn ended(text: &str) -> String {
     let mut ended = String::with_capacity(text.len() + 1);
     ended.push_str(text);
@@ -71,7 +71,7 @@ fn ended(text: &str) -> String {
     ended
 }
 
-/// The method that hands out `x` to be changed: `x_mut`.
+/// Returns `x_mut`, the name of the method that returns a mutable view of `x`.
 pub fn accessor_mut(name: &Ident) -> Ident {
     let mut ident = format_ident!("{name}_mut");
     ident.set_span(name.span());

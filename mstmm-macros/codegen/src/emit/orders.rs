@@ -1,10 +1,10 @@
-//! What the generated docs state of the order of coordinates, rates and connection points.
+//! The docs of the order of coordinates, rates and connection points.
 
 use super::EmitContext;
 use crate::program::ArrayLayout;
 use std::ops::Range;
 
-/// The order of the coordinates and rates, with the place of every hinge.
+/// Returns the order of the coordinates and rates, with the indices of every hinge.
 pub fn of_state(cx: &EmitContext) -> Vec<String> {
     let mut lines: Vec<String> = vec![
         " The hinges lie one after the other in the order of the route. A body that floats comes"
@@ -44,7 +44,7 @@ pub fn of_state(cx: &EmitContext) -> Vec<String> {
     lines
 }
 
-/// The places of a hinge's numbers in an array.
+/// Returns the indices of a hinge's entries in an array.
 fn places(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
     if range.is_empty() {
         return None;
@@ -60,7 +60,7 @@ fn places(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
     })
 }
 
-/// The order of the connection points.
+/// Returns the order of the connection points.
 pub fn of_points(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![
         " All connection points in the order of the route: the input of the first element, then the".into(),

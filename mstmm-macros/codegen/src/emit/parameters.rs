@@ -1,4 +1,4 @@
-//! Parameters: the type that holds their values, and their setters.
+//! The parameters: the type of their values, and their setters.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -11,7 +11,7 @@ use crate::program::ArrayLayout;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// `struct ChainParameters<T>`.
+/// Returns `struct ChainParameters<T>`.
 pub fn type_of_all(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
@@ -35,7 +35,7 @@ pub fn type_of_all(cx: &EmitContext) -> TokenStream {
             }
         }
     });
-    // Found anew when parameters are set, and kept with them.
+    // The rank is found again when parameters are set, and kept with them.
     let steps = closure::directions(cx).map(|count| {
         let (field, count) = (closure::steps(cx), usize_literal(count));
         quote!(#field: [T; #count],)
@@ -59,7 +59,7 @@ pub fn type_of_all(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// The type of a parameter.
+/// Returns the type of a parameter.
 fn type_of(parameter: &Parameter) -> TokenStream {
     match parameter.repetitions.map(usize_literal) {
         None => quote!(T),
@@ -67,12 +67,12 @@ fn type_of(parameter: &Parameter) -> TokenStream {
     }
 }
 
-/// How the numbers lie that are checked when a parameter is set.
+/// Returns the layout of the values that are checked when a parameter is set.
 pub fn checked(cx: &EmitContext) -> ArrayLayout {
     layouts::of(cx.chain, cx.compiled.checks.iter().map(|check| (1, check.part)))
 }
 
-/// `set_x`: takes effect only if the chain stays a physical one.
+/// Returns `set_x`, which changes a parameter only if the chain stays physical.
 pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&parameter.name, &cx.passthrough.visibility);

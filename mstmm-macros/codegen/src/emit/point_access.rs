@@ -1,4 +1,4 @@
-//! How connection points are read off a workspace.
+//! Reads connection points from a workspace.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -7,7 +7,7 @@ use crate::model::{Dimension, Results};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The type of a connection point, with what is computed of it unless that is everything.
+/// Returns the type of a connection point; its parameter lists the computed results unless all are computed.
 pub fn point_type(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = match cx.chain.dimension {
@@ -24,7 +24,7 @@ pub fn point_type(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// The table of places, and the methods that read a point and a vector.
+/// Returns the table of the points' storage, and the methods that read a point and a vector.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let point = point_type(cx);
@@ -35,7 +35,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let count = usize_literal(points.len());
     let entries = points.iter().map(|point| entry(cx, point));
     let found = found(cx);
-    // Where a place is known while compiling, what is read of its point is all that is left.
+    // Inlined with a constant index, only the reads of the used vectors remain.
     let inline = if cx.chain.repeats.is_empty() { quote!(inline(always)) } else { quote!(inline) };
     let vector = vector(cx, &inline);
     quote! {
@@ -53,7 +53,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// The method that reads a vector of a body, where parameters change some.
+/// Returns the method that reads a vector of a body, if parameters change any.
 fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
     let mstmm = &cx.mstmm;
     let mut changing = cx.compiled.point_storage.points.iter().flat_map(|point| &point.changing);
@@ -76,7 +76,7 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
     })
 }
 
-/// All points.
+/// Returns the expression for all points.
 pub fn all(cx: &EmitContext) -> TokenStream {
     if !cx.chain.repeats.is_empty() {
         return quote!(::core::array::from_fn(|index_| self.point_(index_)));
@@ -85,7 +85,7 @@ pub fn all(cx: &EmitContext) -> TokenStream {
     quote!([#(self.point_(#points)),*])
 }
 
-/// Binds the number of a point in the model and the numbers of its segment, at its time.
+/// Returns a statement that binds the index of a point in the model and the stored values of its segment and repetition.
 fn found(cx: &EmitContext) -> TokenStream {
     if cx.chain.repeats.is_empty() {
         return quote!(let (model_, numbers_) = (index_, &self.numbers[..]););
@@ -93,7 +93,7 @@ fn found(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let points = cx.points();
     let mut place = 0;
-    // Also segments without numbers count: points of the ground may have none.
+    // Segments without values count as well: points of the ground may have none.
     let segments =
         points.segments.iter().zip(&cx.compiled.point_storage.segments).map(|(points, segment)| {
             let (count, first) = (segment.0, place);
@@ -133,7 +133,7 @@ fn entry(cx: &EmitContext, point: &StoredPoint) -> TokenStream {
     quote!(#mstmm::generated::PointSlots::new(#position, #orientation, [#(#vectors),*]))
 }
 
-/// A place as the runtime has it.
+/// Returns a stored vector in the encoding of the runtime.
 pub fn literal(place: &StoredVector) -> Literal {
     usize_literal(place.first)
 }

@@ -1,5 +1,4 @@
-//! What is known of a procedure while it is printed: its variables, where its results go, and how its
-//! sections are written.
+//! The state of the printer of a procedure: variables, destinations of results, and how sections are written.
 
 use super::EmitContext;
 use super::names::{Variables, helper};
@@ -10,18 +9,18 @@ use crate::program::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
-/// Where a result goes.
+/// The destination of a result.
 #[derive(Clone, Debug)]
 pub enum Destination {
-    /// An array of the caller's.
+    /// The caller's array.
     Array(TokenStream),
-    /// A vector of the caller's.
+    /// The caller's vector.
     Vector(TokenStream),
-    /// Places of the caller's, one for each number.
+    /// The caller's fields, one per entry.
     Fields(Vec<TokenStream>),
     /// A new array.
     New(Ident),
-    /// The undetermined reactions of a workspace.
+    /// The undetermined constraint wrenches of a workspace.
     Closure,
 }
 
@@ -29,20 +28,20 @@ pub enum Destination {
 pub struct Printer<'a> {
     pub cx: &'a EmitContext<'a>,
     pub procedure: &'a Procedure,
-    /// What its values are.
+    /// The variables of its values.
     pub variables: Variables,
-    /// Where its results go, by array.
+    /// The destinations of its results, by array.
     pub destinations: Vec<Option<Destination>>,
-    /// Where it fails, if it does: what is written before it returns an error.
+    /// Statements that run before it returns an error.
     pub on_failure: Option<TokenStream>,
     /// Whether it has loops.
     pub looped: bool,
-    /// Whether it has more statements than may open a scope each.
+    /// Whether it has too many statements for a separate `let` each.
     pub flat: bool,
 }
 
 impl Printer<'_> {
-    /// Steps in their order: sections under their headings, each of the others as `other` prints it.
+    /// Prints steps in order: sections under their headings, other steps by `other`.
     pub fn steps(&self, steps: &[Step], other: impl Fn(&Step) -> TokenStream) -> TokenStream {
         let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
         let mut writer = Writer::new(self.cx, &self.variables);
@@ -55,7 +54,7 @@ impl Printer<'_> {
                 continue;
             };
             if std::mem::take(&mut stored) {
-                // LLVM puts writes off, to make vectors of neighbours, unless it is told that it may not.
+                // Without this fence LLVM delays stores in order to vectorise neighbouring ones.
                 let mstmm = &self.cx.mstmm;
                 writer.add(quote!(#mstmm::generated::store_fence();));
             }
@@ -72,14 +71,14 @@ impl Printer<'_> {
         writer.finish()
     }
 
-    /// An operand.
+    /// Prints an operand.
     pub fn operand(&self, operand: &Operand) -> TokenStream {
         let mut writer = Writer::new(self.cx, &self.variables);
         writer.operand(operand);
         writer.finish()
     }
 
-    /// The array of a place.
+    /// Returns the array of a slice.
     pub fn array(&self, place: &ArraySlice) -> &Array {
         &self.procedure.arrays[place.array]
     }
@@ -89,7 +88,7 @@ impl Printer<'_> {
         destination.as_ref().unwrap_or_else(|| bug!("an array that is no result is written"))
     }
 
-    /// The variable of a result that loops write: a new array, or a reference to one.
+    /// Returns the variable of a result that loops write: an array or a reference to an array.
     pub fn result(&self, array: ArrayId) -> Ident {
         match self.destination(array) {
             Destination::New(name) => name.clone(),
@@ -97,7 +96,7 @@ impl Printer<'_> {
         }
     }
 
-    /// An array of results that is filled segment by segment, to be borrowed.
+    /// Returns a place expression for an array that is filled segment by segment.
     pub fn filled(&self, array: ArrayId) -> TokenStream {
         let name = self.result(array);
         match self.destination(array) {
@@ -108,7 +107,7 @@ impl Printer<'_> {
         }
     }
 
-    /// An array of results that has been written.
+    /// Returns a result that has been written.
     pub fn written(&self, array: ArrayId) -> TokenStream {
         match self.destination(array) {
             Destination::Array(place) | Destination::Vector(place) if !self.is_filled(array) => {
@@ -118,8 +117,8 @@ impl Printer<'_> {
         }
     }
 
-    /// Whether a result lies in an array that is filled segment by segment: because it has numbers of repeated parts, or
-    /// because it is kept back until loops have been tested.
+    /// Returns whether a result is an array that is filled segment by segment: because it has entries of repeated parts, or
+    /// because it is kept back until the pivots of loops have been tested.
     pub fn is_filled(&self, array: ArrayId) -> bool {
         let is_array = match self.destination(array) {
             Destination::Array(_) | Destination::Vector(_) | Destination::New(_) => true,
@@ -130,7 +129,7 @@ impl Printer<'_> {
         is_array && (has_repeated || self.looped && self.is_kept_back())
     }
 
-    /// Whether a result must not reach the caller before the test at the end.
+    /// Returns whether results must not reach the caller before they are checked.
     pub fn is_kept_back(&self) -> bool {
         let has_finish =
             self.procedure.body.iter().any(|step| matches!(step, Step::CheckResults(_)));
@@ -145,7 +144,7 @@ fn computed(step: &Step) -> Option<&Section> {
     }
 }
 
-/// Whether no repetition of a pivot vanishes.
+/// Returns the flag that no repetition of a pivot vanishes.
 pub fn flag(check: CheckId) -> Ident {
     helper(&format!("regular{}", check.index()))
 }

@@ -1,4 +1,4 @@
-//! A procedure as Rust statements.
+//! Prints a procedure as Rust statements.
 
 use super::arrays::usize_literal;
 use super::names::{Variables, helper};
@@ -10,15 +10,15 @@ use crate::program::{
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// Procedures of more statements than this declare names, many at once, before they compute them.
+/// The largest number of statements with one `let` each. Longer procedures declare many names at once, before they compute
+/// them.
 ///
-/// Small ones read better with one `let` a line. But every `let` opens a scope inside the one
-/// before, and rustc walks nested scopes recursively where it writes debug information: some
-/// thousands of them overflow its stack.
+/// One `let` per line is easier to read. But every `let` opens a scope inside the previous one, and rustc walks nested
+/// scopes recursively when it writes debug information: some thousands of them overflow its stack.
 const NESTED_SCOPES: usize = 1000;
 
 impl EmitContext<'_> {
-    /// All statements of a procedure, whose results go where `destination` says.
+    /// Returns the statements of a procedure whose results are written to their `destination`.
     pub fn procedure(
         &self,
         procedure: &Procedure,
@@ -80,7 +80,7 @@ impl Printer<'_> {
         all.filter(|(_, array)| matches!(array.role, ArrayRole::Result(_)))
     }
 
-    /// Makes what results are written through: variables for the arrays that loops fill, and for entries that are
+    /// Declares the variables through which results are written: arrays that loops fill, and references to entries that are
     /// written one by one.
     fn opened_results(&self) -> TokenStream {
         let mut statements = TokenStream::new();
@@ -105,7 +105,7 @@ impl Printer<'_> {
         statements
     }
 
-    /// A pattern of the entries of an array that are written one by one.
+    /// Returns a pattern of the entries of an array that are written one by one, if there are any.
     fn entries(&self, id: ArrayId) -> Option<TokenStream> {
         let mut names = vec![quote!(_); self.procedure.arrays[id].layout.entries()];
         let mut any = false;
@@ -121,7 +121,7 @@ impl Printer<'_> {
         any.then(|| quote!([#(#names),*]))
     }
 
-    /// Whether all numbers of an array are written at once.
+    /// Returns whether a store writes a whole array.
     fn is_whole(&self, to: &ArraySlice, values: &[Option<Operand>]) -> bool {
         values.len() == self.array(to).layout.total
     }
@@ -157,7 +157,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Hands over what has been kept back.
+    /// Copies results that were kept back to their destination.
     fn delivered(&self) -> TokenStream {
         let mut statements = TokenStream::new();
         for (id, _) in self.result_arrays().filter(|(id, _)| self.is_filled(*id)) {
@@ -170,7 +170,7 @@ impl Printer<'_> {
                 });
             }
         }
-        // An array without numbers is written by no step.
+        // No step writes an empty array.
         let written = |id: ArrayId| {
             self.is_filled(id) || self.procedure.body.iter().any(|step| stores_into(step, id))
         };
@@ -187,19 +187,18 @@ fn stores_into(step: &Step, array: ArrayId) -> bool {
     matches!(step, Step::Store { to, .. } if to.array == array)
 }
 
-/// The variable of an entry that is written alone; several arrays may have some.
+/// Returns the variable of an entry that is written separately; its name is unique among all arrays.
 fn entry(to: &ArraySlice) -> Ident {
     helper(&format!("n{}_{}", to.array.index(), to.first))
 }
 
-/// The body of a function: statements, and what follows them. As a group it is put into `quote!`
-/// without a copy of every token.
+/// Returns the body of a function: statements, then `rest`. It is a group so that `quote!` need not copy every token.
 pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
     statements.extend(rest);
     Group::new(Delimiter::Brace, statements)
 }
 
-/// Whether a known number stands anywhere in some steps.
+/// Returns whether some steps contain a known number.
 fn uses_numbers(steps: &[Step]) -> bool {
     let number = |operand: &Operand| operand.is_known();
     steps.iter().any(|step| match step {
@@ -218,7 +217,7 @@ fn uses_numbers(steps: &[Step]) -> bool {
     })
 }
 
-/// A field of a workspace.
+/// Returns a field of the workspace.
 pub fn field(name: &str) -> TokenStream {
     let name = format_ident!("{name}");
     quote!(at_.#name)

@@ -1,4 +1,4 @@
-//! The checks of quaternions where a state or a prescribed motion comes from outside.
+//! Checks the quaternions of states and prescribed motions that the caller supplies.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -7,14 +7,14 @@ use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Where the quaternion is among the coordinates of a hinge.
+/// Returns the index of the quaternion among the coordinates of a hinge, if it has one.
 fn quaternion_of(kind: &HingeKind) -> Option<usize> {
     let group =
         kind.spec().groups.iter().find(|group| group.representation == Representation::Quaternion);
     group.map(|group| group.coordinates.start)
 }
 
-/// The hinges whose quaternion is in the state, each with its place in the model.
+/// Returns the hinges whose quaternion is in the state, each with the index of the quaternion among the coordinates.
 fn in_state(cx: &EmitContext) -> Vec<(HingeId, usize)> {
     let hinges = cx.chain.hinges.enumerate();
     let free = hinges.filter(|(_, hinge)| !hinge.is_prescribed());
@@ -23,7 +23,7 @@ fn in_state(cx: &EmitContext) -> Vec<(HingeId, usize)> {
     free.filter_map(|(index, hinge)| Some((index, place(index, &hinge.kind)?))).collect()
 }
 
-/// The prescribed motions with a quaternion.
+/// Returns the prescribed motions with a quaternion.
 fn in_inputs<'a>(cx: &'a EmitContext) -> impl Iterator<Item = &'a Input> {
     cx.layout.inputs.iter().filter(|input| match input.what {
         InputKind::Motion(hinge) => quaternion_of(&cx.chain.hinges[hinge].kind).is_some(),
@@ -31,7 +31,7 @@ fn in_inputs<'a>(cx: &'a EmitContext) -> impl Iterator<Item = &'a Input> {
     })
 }
 
-/// The methods `check_state` and `check_inputs` of the trait `Chain`, where there are quaternions.
+/// Returns the methods `check_state` and `check_inputs` of the trait `Chain`, if there are quaternions.
 pub fn checks(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (state, inputs) = (&cx.names.state, &cx.names.inputs);
@@ -66,7 +66,7 @@ pub fn checks(cx: &EmitContext) -> TokenStream {
     methods
 }
 
-/// The row of a hinge in the table of quaternions.
+/// Returns the row of a hinge in the table of quaternions.
 fn row(cx: &EmitContext, layout: &ArrayLayout, (index, place): (HingeId, usize)) -> TokenStream {
     let mstmm = &cx.mstmm;
     let hinge = cx.chain.hinges[index].name.to_string();
@@ -82,7 +82,7 @@ fn row(cx: &EmitContext, layout: &ArrayLayout, (index, place): (HingeId, usize))
     }
 }
 
-/// Statements that check a prescribed motion.
+/// Returns statements that check a prescribed motion.
 fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = cx.chain.name_of_input(input.what);
@@ -99,13 +99,13 @@ fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
     check(quote!(inputs_.#name))
 }
 
-/// The call that gives a view its hinge's name, where an error of the view can name it.
+/// Returns the call that passes the hinge's name to a view, if the view has errors that report it.
 pub fn named(hinge: &Hinge) -> Option<TokenStream> {
     let name = hinge.name.to_string();
     quaternion_of(&hinge.kind).map(|_| quote!(.named(#name)))
 }
 
-/// Statements that check the state and the inputs of a function.
+/// Returns statements that check the state and the inputs of a function.
 pub fn checked(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let mut statements = TokenStream::new();
@@ -118,7 +118,7 @@ pub fn checked(cx: &EmitContext) -> TokenStream {
     statements
 }
 
-/// The documentation of the error of such a function, where there are quaternions.
+/// Returns the docs of the error of such a function, if there are quaternions.
 pub fn error(cx: &EmitContext) -> Vec<String> {
     if checked(cx).is_empty() {
         return Vec::new();
@@ -128,7 +128,7 @@ pub fn error(cx: &EmitContext) -> Vec<String> {
     vec![String::new(), text.to_owned()]
 }
 
-/// What the fast path makes of quaternions whose length is not one.
+/// Returns the docs of quaternions whose length is not one, for functions that do not check them.
 pub fn near_one(cx: &EmitContext) -> Vec<String> {
     if checked(cx).is_empty() {
         return Vec::new();

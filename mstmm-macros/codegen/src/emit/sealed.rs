@@ -1,7 +1,7 @@
-//! What a chain keeps: its parameters and what is derived from them.
+//! The field of a chain: its parameters, and the slots that are derived from them.
 //!
-//! Private fields of generated types are in reach of all code in the module of the macro call. Both are
-//! therefore inside a type of the runtime. Only generated code replaces that value.
+//! Private fields of generated types are accessible to all code in the module of the macro call. Both are therefore inside
+//! a type of the runtime, whose value only generated code replaces.
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -10,12 +10,12 @@ use crate::program::ArrayLayout;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The only field of a chain. Its name is what rustc proposes where a field is written that is not there.
+/// Returns the only field of a chain. rustc suggests its name in errors about unknown fields.
 pub fn field() -> Ident {
     format_ident!("changed_by_setters")
 }
 
-/// The type of the field: parameters, and an array, in pairs with those of repeated parts.
+/// Returns the type of the field: parameters, and the arrays of slots in nested pairs.
 pub fn type_of(cx: &EmitContext) -> TokenStream {
     let (mstmm, parameters) = (&cx.mstmm, &cx.names.parameters);
     let slots = Literal::usize_unsuffixed(cx.slots(None).total);
@@ -27,29 +27,29 @@ pub fn type_of(cx: &EmitContext) -> TokenStream {
     quote!(#mstmm::generated::Sealed<#parameters<T>, #derived>)
 }
 
-/// Arrays in pairs: tuples of any length have not all traits.
+/// Returns arrays in nested pairs, since tuples of arbitrary length do not have all traits.
 pub fn paired(once: TokenStream, parts: impl Iterator<Item = TokenStream>) -> TokenStream {
     parts.fold(once, |before, part| quote!((#before, #part)))
 }
 
-/// Repeated parts of which something is known since setup, and how it lies in its array.
+/// Returns the repeated parts that have slots, with the layouts of these.
 pub fn parts(cx: &EmitContext) -> Vec<(RepeatId, ArrayLayout)> {
     let part =
         |part: RepeatId| Some((part, cx.slots(Some(part)))).filter(|(_, layout)| layout.total > 0);
     cx.chain.repeats.ids().into_iter().filter_map(part).collect()
 }
 
-/// All arrays of a chain.
+/// Returns all arrays of slots of a chain.
 pub fn arrays(cx: &EmitContext, owner: &TokenStream) -> Vec<TokenStream> {
     (0..=parts(cx).len()).map(|number| array(cx, owner, number)).collect()
 }
 
-/// The array of what is known since setup and is there once.
+/// Returns the array of slots outside of repeated parts.
 pub fn once(cx: &EmitContext, owner: &TokenStream) -> TokenStream {
     array(cx, owner, 0)
 }
 
-/// The array of a repeated part that has one.
+/// Returns the array of slots of a repeated part, which must have slots.
 pub fn of_part(cx: &EmitContext, owner: &TokenStream, part: RepeatId) -> TokenStream {
     let before = parts(cx).iter().filter(|(other, _)| *other < part).count();
     array(cx, owner, 1 + before)

@@ -1,4 +1,4 @@
-//! The state with named access, and the inputs.
+//! The type of states, with access to hinges by name.
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
@@ -8,7 +8,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// `struct ChainState<T>`.
+/// Returns `struct ChainState<T>`.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
@@ -79,7 +79,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// All coordinates with every hinge in its zero position.
+/// Returns the coordinates with every hinge in its zero position.
 fn rest(cx: &EmitContext) -> TokenStream {
     let free = cx.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
     let coordinates = free.flat_map(|hinge| hinge.kind.spec().coordinates);
@@ -106,7 +106,7 @@ fn rest(cx: &EmitContext) -> TokenStream {
     })
 }
 
-/// The views of one hinge's coordinates, for reading and for writing.
+/// Returns the methods for the views of a hinge's coordinates and rates.
 fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
     let mstmm = &cx.mstmm;
     let hinge = &cx.chain.hinges[index];
@@ -163,7 +163,7 @@ fn variable(is_q: bool, number: usize) -> Ident {
     helper(&format!("{}{number}", if is_q { "q" } else { "v" }))
 }
 
-/// A pattern that takes `range` out of an array.
+/// Returns a pattern that binds a range of an array.
 fn pattern((is_q, range): (bool, &Range<usize>)) -> TokenStream {
     let skipped = (0..range.start).map(|_| quote!(_,));
     let names = range.clone().map(|number| variable(is_q, number));

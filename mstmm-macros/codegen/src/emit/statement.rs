@@ -1,17 +1,17 @@
-//! Statements, token by token.
+//! Writes statements token by token.
 //!
-//! There are thousands of them, and `quote!` makes a stream of every part of each. In a macro that is
-//! as many calls of rustc; here a stream is made of a whole program, and of what stands in brackets.
+//! A program has thousands of statements, and `quote!` would create a stream for every part of each. In a macro each stream
+//! is a call into rustc. The writer creates one stream per program and one per bracketed group.
 
 use super::EmitContext;
 use super::names::{Variables, helper};
 use crate::program::{Operand, Operation, Section, SectionCost, Statement, ValueId, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// So many names are declared at once where they are declared before they are computed.
+/// The smallest number of names in one declaration, if names are declared before they are computed.
 const DECLARED: usize = 500;
 
-/// Tokens that are being written.
+/// Writes tokens.
 pub struct Writer<'a> {
     cx: &'a EmitContext<'a>,
     variables: &'a Variables,
@@ -19,34 +19,34 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Nothing yet, of a program with these variables.
+    /// Returns an empty writer for a program with these variables.
     pub fn new(cx: &'a EmitContext<'a>, variables: &'a Variables) -> Self {
         Writer { cx, variables, tokens: Vec::new() }
     }
 
-    /// Adds what is written already.
+    /// Appends tokens.
     pub fn add(&mut self, tokens: TokenStream) {
         self.tokens.extend(tokens);
     }
 
-    /// What has been written.
+    /// Returns the tokens.
     pub fn finish(self) -> TokenStream {
         self.tokens.into_iter().collect()
     }
 
-    /// The headings of sections with their operations, each once.
+    /// Returns the headings of sections with their operation counts, each once.
     pub fn headings<'s>(&self, sections: &[&'s Section]) -> Vec<SectionCost<'s>> {
         by_heading(sections.iter().copied())
     }
 
-    /// The heading of a section: in full where it comes first.
+    /// Writes the heading of a section: with the operation count at its first occurrence, otherwise the title only.
     pub fn heading_of(&mut self, section: &Section, headings: &mut Vec<SectionCost>) {
         if !self.heading(section, headings) {
             self.documentation(&format!(" {}.", section.title));
         }
     }
 
-    /// The statements of a section, each of which declares what it computes unless that is declared before.
+    /// Writes the statements of a section, as declarations if `declaring`.
     pub fn statements(&mut self, section: &Section, declaring: bool) {
         for statement in &section.statements {
             if declaring {
@@ -57,9 +57,8 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Declares the names of some sections, at least [`DECLARED`] of them or all, from the one with this
-    /// number on, under their headings, for only declarations can be documented; returns the number of
-    /// the first section beyond.
+    /// Declares the names of the sections from index `first` on, at least [`DECLARED`] names unless the sections end, under
+    /// their headings, since only declarations can have docs. Returns the index of the next section.
     pub fn declare(
         &mut self,
         sections: &[&Section],
@@ -84,7 +83,8 @@ impl<'a> Writer<'a> {
         next
     }
 
-    /// The heading of a section in full, if it is still among `headings`.
+    /// Writes the heading of a section with its operation count, and removes it from `headings`. Returns false if it is not
+    /// among them.
     fn heading(&mut self, section: &Section, headings: &mut Vec<SectionCost>) -> bool {
         let same = |headed: &SectionCost| (headed.title, headed.source) == section.heading();
         let Some(first) = headings.iter().position(same) else { return false };
@@ -94,7 +94,7 @@ impl<'a> Writer<'a> {
         true
     }
 
-    /// Documentation, which unlike comments survives the expansion.
+    /// Writes a doc attribute, which survives the expansion, unlike a comment.
     fn documentation(&mut self, text: &str) {
         self.sign('#');
         self.group(Delimiter::Bracket, |attribute| {
@@ -127,7 +127,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A pattern of names where there are some.
+    /// Writes an array pattern of names, with `_` for missing names.
     fn names(&mut self, names: &[Option<ValueId>]) {
         self.group(Delimiter::Bracket, |pattern| {
             pattern.separated(names, |pattern, name| match name {
@@ -156,7 +156,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A function that the crate keeps for generated code.
+    /// Writes the path of a function of `mstmm::generated`.
     pub fn generated(&mut self, function: &str) {
         self.tokens.extend(self.cx.mstmm.clone());
         self.step_into("generated");
@@ -180,7 +180,7 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// An operand.
+    /// Writes an operand.
     pub fn operand(&mut self, operand: &Operand) {
         match operand {
             Operand::Number(value) => self.number(*value),
@@ -194,8 +194,8 @@ impl<'a> Writer<'a> {
     fn number(&mut self, value: f64) {
         self.variable(&helper("c"));
         self.group(Delimiter::Parenthesis, |number| {
-            // A pivot that vanishes in every state leaves its reciprocal behind: the test of the
-            // pivots comes first, but the number has to be written.
+            // The reciprocal of a pivot that vanishes in every state. The test of the pivots fails before anyone reads it,
+            // but the literal must compile.
             if !value.is_finite() {
                 for part in ["core", "f64", "NAN"] {
                     number.step_into(part);
@@ -209,13 +209,13 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// A function of the scalar.
+    /// Writes the path of a function of the scalar type.
     fn function(&mut self, name: &str) {
         self.word("T");
         self.step_into(name);
     }
 
-    /// `::name`
+    /// Writes `::name`.
     fn step_into(&mut self, name: &str) {
         self.tokens.push(Punct::new(':', Spacing::Joint).into());
         self.sign(':');
@@ -231,19 +231,19 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// What stands in brackets.
+    /// Writes a bracketed group.
     pub fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
         let mut inner = Writer::new(self.cx, self.variables);
         write(&mut inner);
         self.tokens.push(Group::new(delimiter, inner.finish()).into());
     }
 
-    /// A variable.
+    /// Writes a variable.
     pub fn variable(&mut self, variable: &Ident) {
         self.tokens.push(variable.clone().into());
     }
 
-    /// The variable of a value.
+    /// Writes the variable of a value.
     fn name(&mut self, name: ValueId) {
         self.variable(self.variables.get(name));
     }
@@ -252,12 +252,12 @@ impl<'a> Writer<'a> {
         self.tokens.push(Ident::new(word, Span::call_site()).into());
     }
 
-    /// A sign that stands for itself.
+    /// Writes a single punctuation character.
     pub fn sign(&mut self, sign: char) {
         self.tokens.push(Punct::new(sign, Spacing::Alone).into());
     }
 
-    /// A literal.
+    /// Writes a literal.
     pub fn literal(&mut self, literal: Literal) {
         self.tokens.push(literal.into());
     }

@@ -1,11 +1,11 @@
-//! Warnings, which stable Rust lets a macro give in one way: by the use of something deprecated.
+//! Warnings of the macro. On stable Rust the only way is the use of a deprecated item.
 
 use crate::diag::Warning;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// An item that makes the compiler warn. Both names have the place and the hygiene of the user's
-/// token, so that the warning is on the token and is subject to the lint levels there.
+/// Returns an item that makes rustc warn. Definition and use have the span of the user's token, so that the warning is
+/// reported on the token and follows the lint levels there.
 pub fn warning(warning: &Warning) -> TokenStream {
     let Warning { at, rule, message } = warning;
     let name = Ident::new(rule, *at);

@@ -1,4 +1,4 @@
-//! Where results are written, with named access to every element's connection points.
+//! The type of workspaces, with access to the results of elements by name.
 
 use super::arrays::usize_literal;
 use super::point_access::point_type;
@@ -9,7 +9,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// `struct ChainWorkspace<T>` and how to get one.
+/// Returns `struct ChainWorkspace<T>` and its constructor.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, chain) = (&cx.names.workspace, &cx.names.chain);
@@ -126,14 +126,14 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 }
 
 impl EmitContext<'_> {
-    /// Where a workspace has the accelerations of all rates: apart only where some are prescribed.
+    /// Returns the field with the accelerations of all rates, which is separate only if some are prescribed.
     pub fn rate_accelerations(&self) -> Ident {
         let apart = self.chain.has_prescribed_hinges();
         format_ident!("{}", if apart { "rate_accelerations" } else { "accelerations" })
     }
 }
 
-/// What the workspace has of energies.
+/// The parts of a workspace for the energies.
 #[derive(Default)]
 struct EnergyItems {
     fields: TokenStream,
@@ -179,7 +179,7 @@ fn energies(cx: &EmitContext) -> EnergyItems {
     }
 }
 
-/// What the workspace of a closed chain has besides.
+/// The parts of a workspace for the loop closure of a closed chain.
 struct ClosureItems {
     field: TokenStream,
     zero: TokenStream,
@@ -250,7 +250,7 @@ fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
     }
 }
 
-/// Binds `input` and `output` of the element at `place` on the route.
+/// Returns a statement that binds `input` and `output` of the element at `place` on the route.
 fn ends(cx: &EmitContext, place: usize) -> TokenStream {
     let (first, _) = indexed_access::points_of(cx, place);
     let [input, output] = [first, first + 1].map(usize_literal);
@@ -271,7 +271,7 @@ fn vector(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream 
     quote!(#mstmm::generated::vector(#numbers))
 }
 
-/// Some of the numbers of all rates.
+/// Returns the expression for a range of the entries of all rates.
 fn numbers(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream {
     let mstmm = &cx.mstmm;
     let layout = cx.all_rates();

@@ -1,11 +1,11 @@
-//! What drives a chain, from the words of the reference to the inputs of the compiler.
+//! Converts the drives of the reference solver to inputs of the compiler.
 
 use mstmm_codegen::model::{
     Attachment, Chain, Drive, Effort, Element, HingeId, HingeKind, Input, InputKind, Layout,
 };
 use mstmm_reference::{Drives, FrameMotion};
 
-/// The inputs where nothing but motors is driven; `efforts` are those of all rates.
+/// Returns the inputs if only motors are driven; `efforts` has an entry for every rate.
 pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
     let layout = Layout::of(chain);
     let of = |input: &Input| match input.what {
@@ -15,7 +15,7 @@ pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
     layout.inputs.iter().flat_map(of).collect()
 }
 
-/// The inputs that `drives` are.
+/// Returns the inputs for `drives`.
 pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
     let layout = Layout::of(chain);
     let (shifts, turns) = (chain.dimension.shifts(), chain.dimension.turns());

@@ -1,4 +1,4 @@
-//! Texts of random chains with repeated parts, and of the same chains written out.
+//! The texts of random chains with repeated parts, and of the same chains written out.
 
 use mstmm_reference::{
     About, Body, Chain, Element, End, Load, Random, Recipe, Spring, random_mechanism,
@@ -6,14 +6,14 @@ use mstmm_reference::{
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Some elements of a chain that are repeated.
+/// A repeated part of a chain.
 struct Part {
     elements: Range<usize>,
     count: usize,
 }
 
-/// A chain by a recipe with one or two repeated parts, and the same written out: what is repeated is numbered from
-/// zero there. Some numbers of repeated bodies are parameters with a value for every time.
+/// Returns the text of a random chain with one or two repeated parts, and of the same chain written out, where repeated
+/// elements are numbered from zero. Some properties of repeated bodies are parameters with a value per repetition.
 pub fn texts(random: &mut Random, name: &str, recipe: &Recipe) -> [String; 2] {
     let short = random_mechanism(random, name, recipe);
     let parts = random_parts(random, &short);
@@ -33,7 +33,7 @@ pub fn texts(random: &mut Random, name: &str, recipe: &Recipe) -> [String; 2] {
     texts
 }
 
-/// One or two parts, each a few pairs of a hinge and a body.
+/// Chooses one or two parts, each of a few pairs of a hinge and a body.
 fn random_parts(random: &mut Random, chain: &Chain) -> Vec<Part> {
     let is_hinge = |&at: &usize| matches!(chain.elements[at], Element::Hinge(_));
     let starts: Vec<usize> = (0..chain.elements.len() - 1).filter(is_hinge).collect();
@@ -50,7 +50,7 @@ fn random_parts(random: &mut Random, chain: &Chain) -> Vec<Part> {
     parts
 }
 
-/// The chain with its parts written out.
+/// Returns the chain with its parts written out.
 fn written_out(short: &Chain, parts: &[Part]) -> Chain {
     let mut elements = Vec::new();
     let mut counts: HashMap<&str, usize> = HashMap::new();
@@ -96,7 +96,7 @@ fn written_out(short: &Chain, parts: &[Part]) -> Chain {
     Chain { elements, loads, springs, ..short.clone() }
 }
 
-/// The text of a chain with its parts repeated.
+/// Returns the text of a chain with `repeat` blocks for its parts.
 fn folded(text: &str, chain: &Chain, parts: &[Part]) -> String {
     let route = text.lines().find(|line| line.contains(" -> ")).expect("a route");
     let elements = route.trim_end_matches(';').split(" -> ");
@@ -109,9 +109,9 @@ fn folded(text: &str, chain: &Chain, parts: &[Part]) -> String {
     text.replace(route, &format!("{};", elements.join(" -> ")))
 }
 
-/// Makes parameters of some numbers of a body that is repeated so often.
+/// Makes some properties of a body with `count` repetitions parameters.
 fn with_parameters(random: &mut Random, texts: &mut [String; 2], body: &Body, count: usize) {
-    // About the centre of mass inertias fit any mass.
+    // An inertia about the centre of mass is physical with any mass.
     if body.about == About::Com && random.chance(0.7) {
         parametrise(texts, body, count, ("mass = ", body.mass, " kg"));
     }
@@ -121,7 +121,7 @@ fn with_parameters(random: &mut Random, texts: &mut [String; 2], body: &Body, co
     }
 }
 
-/// Makes a parameter of the number behind a word in the type of a body.
+/// Makes the number after a keyword in the type of a body a parameter.
 fn parametrise(
     [repeated, written]: &mut [String; 2],
     body: &Body,
@@ -133,7 +133,7 @@ fn parametrise(
     let replace = |text: &mut String, suffix: &str, size: &str| {
         let own = format!("body {}{} {{", body.name.replace('b', "B"), suffix.replace('_', ""));
         let start = text.find(&own).expect("the body's type");
-        // Along a line there is no vector.
+        // On a line there are no vectors.
         let Some(at) = text[start..].find(&plain) else { return };
         let range = start + at..start + at + plain.len();
         text.replace_range(range, &format!("{word}{parameter}{suffix}"));

@@ -1,4 +1,4 @@
-//! Random functions with loops, and their values straight from the formulas.
+//! Random functions with loops, and their direct evaluation.
 
 use super::interpreter::{Failed, Judge};
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
@@ -9,13 +9,13 @@ use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
 use mstmm_reference::Random;
 use std::collections::HashMap;
 
-/// What random functions return: numbers of all parts, and which of them must be finite.
+/// The output of random functions, which must be finite.
 pub const NUMBERS: OutputId = OutputId::new("numbers");
 
-/// Two parts, one of which is there once.
+/// The repetitions of two parts; one has a single repetition.
 const REPETITIONS: [usize; 2] = [3, 1];
 
-/// Parameters of a setup, and coordinates: some of all, some of every repetition of a part.
+/// Returns unknowns: parameters and coordinates, of repeated parts and outside of them.
 pub fn unknowns(looped: bool) -> Unknowns {
     let mut unknowns = Unknowns::new(REPETITIONS.to_vec().into());
     let part = |part: usize| Some((RepeatId(part), REPETITIONS[part]));
@@ -33,7 +33,7 @@ pub fn unknowns(looped: bool) -> Unknowns {
     unknowns
 }
 
-/// Random values of unknowns.
+/// Returns random values of unknowns.
 pub fn random_values(random: &mut Random, unknowns: &Unknowns) -> HashMap<Argument, Vec<f64>> {
     let values = |layout: &ArrayLayout, random: &mut Random| {
         (0..layout.total).map(|_| random.between(-2.0, 2.0)).collect()
@@ -41,13 +41,13 @@ pub fn random_values(random: &mut Random, unknowns: &Unknowns) -> HashMap<Argume
     unknowns.arguments().map(|(argument, layout)| (argument, values(layout, random))).collect()
 }
 
-/// A random function with up to five loops, and pivots some of which vanish.
+/// Returns a random function with up to five loops, and with pivots of which some vanish.
 pub fn random_function<'g>(
     random: &mut Random,
     graph: &'g Graph,
     unknowns: &'g Unknowns,
 ) -> Function<'g> {
-    // What is known in a repetition of a part, and what is known once.
+    // The values that are known in a repetition of each part, and those that are known outside of loops.
     let mut own: [Vec<Expr>; 2] = [Vec::new(), Vec::new()];
     let mut once: Vec<Expr> = Vec::new();
     for (number, unknown) in unknowns.iter().enumerate() {
@@ -72,7 +72,7 @@ pub fn random_function<'g>(
         own[part].extend(phis.iter().map(|&phi| symbol(phi)));
         let known = [&once[..], &own[part]].concat();
         let carry = |(&phi, init): (&SymbolId, Expr)| {
-            // What is handed on must not grow without end.
+            // The carried value must stay bounded.
             let next = formula(random, &known, 3).sin_cos().0 + symbol(phi) * Expr::number(0.5);
             let (init, next) = (graph.edge(init), graph.edge(next));
             Carry { init, next, phi, exit: exit_of(phi) }
@@ -100,7 +100,7 @@ pub fn random_function<'g>(
     let count = random.below(4);
     let pivot = |number: usize| {
         let part = pick(random);
-        // The value and its scale may be known at different times.
+        // Value and scale may be in different regions.
         let other = if random.chance(0.5) { 2 } else { part };
         let (a, b) = (of(random, part, 2), of(random, other, 2));
         let positive = a * a + Expr::number(1e-3);
@@ -114,12 +114,12 @@ pub fn random_function<'g>(
     Function { graph, unknowns, stage, headings, loops, outputs, pivots }
 }
 
-/// The symbol after the last repetition of a value with this symbol in the loop.
+/// Returns the exit symbol of a carry with this phi.
 fn exit_of(phi: SymbolId) -> SymbolId {
     SymbolId(phi.index() + 1)
 }
 
-/// A random formula of every kind of node.
+/// Returns a random formula, with every kind of node.
 pub fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> Expr<'g> {
     if depth == 0 || random.chance(0.1) {
         return if random.chance(0.2) {
@@ -144,7 +144,7 @@ pub fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> 
     }
 }
 
-/// What a function returns, straight from its formulas, or why it returns nothing.
+/// Evaluates a function directly from its formulas; returns its results or the reason of a failure.
 pub fn evaluated(
     function: &Function,
     values: &HashMap<Argument, Vec<f64>>,
@@ -176,7 +176,7 @@ pub fn evaluated(
 struct Direct<'a> {
     function: &'a Function<'a>,
     values: &'a HashMap<Argument, Vec<f64>>,
-    /// By unknown, with the part and the values of its repetitions.
+    /// The values of phis in all repetitions of a part.
     phis: HashMap<SymbolId, (RepeatId, Vec<f64>)>,
     exits: HashMap<SymbolId, f64>,
 }
@@ -202,7 +202,7 @@ impl Direct<'_> {
         self.exits.extend(one.carries.iter().zip(current).map(|(carry, x)| (carry.exit, x)));
     }
 
-    /// The part that a formula depends on.
+    /// Returns the part that a formula depends on.
     fn part(&self, edge: Edge) -> Option<RepeatId> {
         match self.function.graph.node(edge.node()) {
             Node::Symbol(symbol) => match self.function.unknowns.get(symbol) {

@@ -1,18 +1,18 @@
-//! What functions of a chain are given.
+//! The arguments of a chain's functions.
 
 use super::interpreter::{Arrays, Failed, Judge, run};
 use mstmm_codegen::compile::{Compiled, outputs};
 use mstmm_codegen::model::{Answer, Chain, InputKind, Layout};
 use mstmm_codegen::program::{Argument, ArrayRole};
 
-/// A chain with what its functions are given.
+/// A compiled chain with the arguments of its functions.
 pub struct Given<'a, S> {
     pub compiled: &'a Compiled,
     pub arrays: Arrays<S>,
 }
 
 impl<'a, S: Judge> Given<'a, S> {
-    /// `unknowns` are all of them in their order, for a chain without repeated parts; its setup has been run.
+    /// Sets all unknowns of a chain without repeated parts, in order, and runs the setup.
     pub fn new(compiled: &'a Compiled, unknowns: &[S]) -> Self {
         let mut arrays = Arrays::default();
         arrays.arguments.insert(Argument::Time, vec![S::zero()]);
@@ -25,7 +25,7 @@ impl<'a, S: Judge> Given<'a, S> {
         given
     }
 
-    /// All arguments zero.
+    /// Sets all arguments to zero.
     pub fn zeros(compiled: &'a Compiled) -> Self {
         let mut arrays = Arrays::default();
         arrays.arguments.insert(Argument::Time, vec![S::zero()]);
@@ -37,7 +37,7 @@ impl<'a, S: Judge> Given<'a, S> {
         given
     }
 
-    /// Sets every number, by its array and its place there, and runs the setup.
+    /// Sets every value by its argument and index, and runs the setup.
     pub fn fill(&mut self, mut number: impl FnMut(Argument, usize) -> S) {
         for (argument, layout) in self.compiled.unknowns.arguments() {
             let values = (0..layout.total).map(|place| number(argument, place)).collect();
@@ -46,13 +46,13 @@ impl<'a, S: Judge> Given<'a, S> {
         self.set_up();
     }
 
-    /// Gives quaternions unit length.
+    /// Normalises the quaternions.
     pub fn normalize(&mut self) {
         let unit = self.run(Answer::Normalized).expect("it cannot fail");
         self.arrays.arguments.insert(Argument::Coordinates, unit.result(outputs::COORDINATES));
     }
 
-    /// Lets the motors of all hinges supply these efforts, which are in the order of `v`; every rate has one.
+    /// Sets the efforts of the motors of all hinges, in the order of `v`; every rate must have a motor.
     pub fn drive(&mut self, chain: &Chain, efforts: &[S]) {
         let layout = Layout::of(chain);
         let rates = self.compiled.unknowns.layout(Argument::Rates);
@@ -81,7 +81,7 @@ impl<'a, S: Judge> Given<'a, S> {
     }
 }
 
-/// What the setup has derived, as what other functions are given.
+/// Moves the slots that the setup has derived to the arguments.
 pub fn slots<S: Judge>(compiled: &Compiled, arrays: &Arrays<S>) -> Vec<(Argument, Vec<S>)> {
     let ids = compiled.setup.procedure.arrays.iter().filter_map(|array| match array.role {
         ArrayRole::Result(id) if id == outputs::slots(id.part) => Some(id),

@@ -1,5 +1,5 @@
-//! Runs procedures, loops included, on any scalar. Sines, cosines and angles of `f64` have the same bits on every
-//! machine.
+//! An interpreter of procedures, including loops, on any scalar. Sines, cosines and arctangents of `f64` have the same bits on
+//! every machine.
 
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{
@@ -8,50 +8,50 @@ use mstmm_codegen::program::{
 };
 use std::collections::HashMap;
 
-/// A scalar that can be judged.
+/// A scalar whose values can be tested.
 pub trait Judge: Scalar {
-    /// Whether a pivot is more than rounding leaves of its scale. NaN is not.
+    /// Returns whether a pivot exceeds the rounding error of its scale; false for NaN.
     fn exceeds(self, scale: Self) -> bool;
-    /// Whether it is a number at all.
+    /// Returns whether the value is finite.
     fn is_finite(self) -> bool;
-    /// `a b + c`, rounded once or twice.
+    /// Returns `a b + c`, rounded once or twice.
     fn product_sum(a: Self, b: Self, c: Self, fused: bool) -> Self;
-    /// Sine and cosine.
+    /// Returns sine and cosine.
     fn sine_and_cosine(self) -> (Self, Self) {
         self.sin_cos()
     }
-    /// The angle of the point at `self` upwards and `x` to the right.
+    /// Returns `atan2(self, x)`.
     fn angle(self, x: Self) -> Self {
         self.atan2(x)
     }
-    /// The nearest plain number.
+    /// Returns the nearest `f64`.
     fn plain(self) -> f64;
 
-    /// Whether a pivot is a number, and no more than rounding leaves of its scale.
+    /// Returns whether a pivot is finite and does not exceed the rounding error of its scale.
     fn is_lost(self, scale: Self) -> bool {
         self.is_finite() && scale.is_finite() && !self.exceeds(scale)
     }
 }
 
-/// What a procedure reads and writes, by what arrays are for.
+/// The arrays that a procedure reads and writes.
 #[derive(Clone, Debug)]
 pub struct Arrays<S> {
-    /// Arguments.
+    /// The arguments.
     pub arguments: HashMap<Argument, Vec<S>>,
-    /// Results; what is not written has no value.
+    /// The results; an entry that is not written is none.
     pub results: HashMap<OutputId, Vec<Option<S>>>,
-    /// Whether a product and a sum are rounded once.
+    /// Whether a fused product and sum are rounded once.
     pub fused: bool,
-    /// Whether results are kept that no test lets pass.
+    /// Whether a failing check keeps the results instead of returning an error.
     pub untested: bool,
 }
 
-/// Why there are no results.
+/// The reason of a failure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failed {
-    /// Something is not finite.
+    /// A value is not finite.
     NotFinite,
-    /// This hinge's pivot vanishes.
+    /// The pivot of this hinge vanishes.
     Singular(String),
 }
 
@@ -63,7 +63,7 @@ impl<S> Default for Arrays<S> {
 }
 
 impl<S: Judge> Arrays<S> {
-    /// A result of which every entry has been written.
+    /// Returns a result, every entry of which must have been written.
     pub fn result(&self, id: OutputId) -> Vec<S> {
         let entries = self.results.get(&id).unwrap_or_else(|| panic!("no result {id:?}"));
         let value = |(place, value): (usize, &Option<S>)| {
@@ -72,7 +72,7 @@ impl<S: Judge> Arrays<S> {
         entries.iter().enumerate().map(value).collect()
     }
 
-    /// Whether nothing is left in the results but what they were made with.
+    /// Returns whether the results have only their initial values.
     fn reset(&mut self, procedure: &Procedure) {
         for array in &procedure.arrays {
             if let ArrayRole::Result(id) = array.role {
@@ -82,7 +82,7 @@ impl<S: Judge> Arrays<S> {
     }
 }
 
-/// What an array is made with.
+/// Returns the initial values of an array.
 fn initial<S: Scalar>(array: &Array) -> Vec<Option<S>> {
     let mut values = vec![None; array.layout.total];
     for &(entry, value) in &array.initial {
@@ -116,10 +116,10 @@ pub fn run<S: Judge>(procedure: &Procedure, arrays: &mut Arrays<S>) -> Result<()
 struct Machine<'a, S> {
     procedure: &'a Procedure,
     values: Vec<Option<S>>,
-    /// By array; empty but for those that loops leave.
+    /// The values that loops store for later loops, by array; empty for other arrays.
     locals: Vec<Vec<Option<S>>>,
     checks: Vec<bool>,
-    /// The repetition that a loop is in.
+    /// The current repetition of a loop.
     repetition: usize,
     arrays: Arrays<S>,
 }
@@ -156,7 +156,7 @@ impl<S: Judge> Machine<'_, S> {
         Ok(())
     }
 
-    /// Where an entry of a place lies in a repetition.
+    /// Returns the index in the array of an entry of a slice, in a repetition.
     fn at(&self, place: &ArraySlice, entry: usize, repetition: usize) -> usize {
         let array = &self.procedure.arrays[place.array];
         let segment = &array.layout.segments[place.segment];
@@ -243,7 +243,7 @@ impl<S: Judge> Machine<'_, S> {
         Ok(())
     }
 
-    /// Pivots come first: too large a state is no fault of a hinge.
+    /// Tests pivots first. A pivot that is not finite counts as not finite, not as singular.
     fn finish(&self, finish: &ResultCheck) -> Result<(), Failed> {
         let mut are_numbers = true;
         for test in &finish.pivots {

@@ -1,4 +1,4 @@
-//! Chains whose numbers are all parameters: nothing is folded, and nothing rounded, while they are compiled.
+//! Chains whose numbers are all parameters, so that nothing is folded or rounded at compile time.
 
 use mstmm_codegen::model::{
     Attachment, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Parameter,
@@ -6,7 +6,7 @@ use mstmm_codegen::model::{
 };
 use proc_macro2::{Ident, Span};
 
-/// The same chain with a parameter for every number but zero and one, which tell its structure.
+/// Returns the same chain with a parameter for every number except zeros and ones, which determine its structure.
 pub fn lifted(mut chain: Chain) -> Chain {
     let mut lift = Lift { parameters: std::mem::take(&mut chain.parameters) };
     lift.source(&mut chain.gravity);
@@ -53,7 +53,7 @@ impl Lift {
         }
     }
 
-    /// The parameter for a number.
+    /// Returns the parameter for a number.
     fn parameter(&mut self, number: f64) -> Value {
         let name = Ident::new(&format!("number{:x}", number.to_bits()), Span::call_site());
         let is_it = |it: &Parameter| it.name == name;
@@ -80,8 +80,8 @@ impl Lift {
         self.rotation(&mut frame.rotation);
     }
 
-    /// Entries become those of a turn, or of a quaternion, of any length: a rounded matrix is no rotation, and what
-    /// is the same for every rotation may differ for it.
+    /// Expresses the entries by a rotation angle or by a quaternion of any length. A rounded matrix is not a rotation, and
+    /// expressions that are equal for every rotation may differ for it.
     fn rotation(&mut self, matrix: &mut [[Value; 3]; 3]) {
         let known = matrix.iter().flatten().map(Value::known).collect::<Option<Vec<f64>>>();
         let Some(entries) = known else { return };
@@ -94,8 +94,7 @@ impl Lift {
         }
     }
 
-    /// A matrix with one entry, at this place, that is one: the four that are in other rows and columns are a
-    /// cosine and a sine.
+    /// Lifts a matrix whose only one is at this entry: the four entries in other rows and columns are a cosine and a sine.
     fn turn(&mut self, matrix: &mut [[Value; 3]; 3], entries: &[f64], axis: usize) {
         let others = |axis: usize| [(axis + 1) % 3, (axis + 2) % 3];
         let (rows, columns) = (others(axis / 3), others(axis % 3));
@@ -179,12 +178,12 @@ impl Lift {
     }
 }
 
-/// Whether a number tells the structure of a chain.
+/// Returns whether a number determines the structure of a chain.
 fn is_structure(number: f64) -> bool {
     [0.0, 1.0].contains(&number.abs())
 }
 
-/// A quaternion along that of a rotation: the longest of four that are.
+/// Returns a multiple of the quaternion of a rotation: the longest of four.
 fn quaternion(m: &[f64]) -> [f64; 4] {
     let at = |row: usize, column: usize| m[3 * row + column];
     let antisymmetric = [at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1)];

@@ -1,4 +1,4 @@
-//! Runs the compiler's equations on plain numbers.
+//! Runs the compiler's equations on numbers.
 #![allow(dead_code)]
 
 pub mod double_double;
@@ -19,7 +19,7 @@ use mstmm_codegen::equations::{
 use mstmm_codegen::math::{Mat3, Motion, Scalar, Structured, Vec3};
 use mstmm_codegen::model::{Chain, Layout, SolutionMethod};
 
-/// All that the equations say of a chain in a state.
+/// The results of the equations for a chain in a state.
 pub struct Computed<S> {
     pub accelerations: Vec<S>,
     pub report: Report<Structured<S>>,
@@ -27,7 +27,7 @@ pub struct Computed<S> {
     pub solved: ForwardDynamics<Structured<S>>,
 }
 
-/// What is reported, in inertial axes.
+/// The report in inertial axes.
 pub struct Report<S> {
     pub points: Vec<Point<S>>,
     pub efforts: Vec<S>,
@@ -64,19 +64,19 @@ impl<S: Scalar> Report<S> {
     }
 }
 
-/// The only chain in `text`, which must be right.
+/// Returns the only chain in a text, which must be valid.
 pub fn read(text: &str) -> Chain {
     let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
     let chains = mstmm_codegen::read(tokens).unwrap_or_else(|error| panic!("{error}\n{text}"));
     chains.into_iter().next().expect("a chain").0
 }
 
-/// Plain numbers that the compiler would not know.
+/// Returns numbers as scalars whose values the equations do not know.
 pub fn variables<S: Scalar>(values: &[f64]) -> Vec<Structured<S>> {
     values.iter().map(|&value| Structured::variable(S::number(value))).collect()
 }
 
-/// The parameters at their defaults.
+/// Returns the parameters at their defaults.
 pub fn numbers<S: Scalar>(chain: &Chain) -> SymbolValues<Structured<S>> {
     let none = SymbolValues::<S>::default();
     let default = |value| Structured::variable(none.scalar(value));
@@ -115,7 +115,7 @@ pub fn compute_with<S: Scalar>(
     Computed { accelerations, report, energy, solved }
 }
 
-/// Every method in all axes.
+/// Returns every method in all axes.
 pub const WAYS: [(SolutionMethod, Axes); 4] = [
     (SolutionMethod::Riccati, Axes::Body),
     (SolutionMethod::Riccati, Axes::Inertial),
@@ -123,11 +123,11 @@ pub const WAYS: [(SolutionMethod, Axes); 4] = [
     (SolutionMethod::Transfer, Axes::Inertial),
 ];
 
-/// The largest difference of two lists, relative to the largest entry of the second.
+/// Returns the largest difference of two lists, relative to the largest entry of the second.
 pub fn difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     let scale = b.iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
-    // NaN must not get lost in a maximum.
+    // `f64::max` ignores NaN.
     a.iter()
         .zip(b)
         .map(|(x, y)| (x - y).abs() / scale)

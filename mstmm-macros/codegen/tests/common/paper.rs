@@ -1,4 +1,4 @@
-//! Chains in the words of the compiler and in the paper's matrices.
+//! Chains for the compiler and for the paper's matrices.
 
 use super::{Computed, Point, compute, read};
 use mstmm_codegen::equations::Axes;
@@ -13,11 +13,11 @@ use mstmm_runtime::paper::{TransferMatrix, acceleration_hinge, ball, state};
 
 pub const GRAVITY: [f64; 3] = [0.3, -9.8, 0.2];
 
-/// What all hinges of a chain are.
+/// The kind of all hinges of a chain.
 #[derive(Clone, Debug)]
 pub enum Hinges {
     Balls,
-    /// About these axes, body frames.
+    /// Pins about these axes, in body frames.
     Pins(Vec<Vector3<f64>>),
     Floating,
 }
@@ -26,11 +26,11 @@ pub enum Hinges {
 pub struct Case {
     pub hinges: Hinges,
     pub bodies: Vec<Body<f64>>,
-    /// Besides weight.
+    /// The loads in addition to weight.
     pub loads: Vec<Load<f64>>,
 }
 
-/// A moving case: what the compiler makes of it, and its rates.
+/// A case in motion: the compiler's results, and the rates.
 pub struct Moving<S: Scalar> {
     pub computed: Computed<S>,
     pub rates: Vec<f64>,
@@ -40,7 +40,7 @@ fn vector(random: &mut Random, size: f64) -> Vector3<f64> {
     Vector3::from_fn(|_, _| random.between(-size, size))
 }
 
-/// A direction that is neither the zero vector nor nearly so.
+/// Returns a random vector that is not close to zero.
 pub fn axis(random: &mut Random) -> Vector3<f64> {
     loop {
         let axis = vector(random, 1.0);
@@ -50,7 +50,7 @@ pub fn axis(random: &mut Random) -> Vector3<f64> {
     }
 }
 
-/// A body of any shape: the inertia is that of a few points.
+/// Returns a random body, whose inertia is that of a few point masses.
 fn body(random: &mut Random) -> Body<f64> {
     let (mass, com) = (random.between(0.5, 2.0), vector(random, 0.5));
     let inertia = (0..5).fold(about_com(mass, &com), |sum, _| {
@@ -59,12 +59,12 @@ fn body(random: &mut Random) -> Body<f64> {
     Body { mass, com, output: vector(random, 1.0), inertia }
 }
 
-/// What a point mass adds to an inertia about a point from which it is seen at `arm`.
+/// Returns the inertia of a point mass about a point at distance `arm` from it.
 fn about_com(mass: f64, arm: &Vector3<f64>) -> Matrix3<f64> {
     (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * mass
 }
 
-/// A body's type, in the language of the macro.
+/// Returns a body's type in the language of the macro.
 pub fn declared(k: usize, body: &Body<f64>) -> String {
     let Body { mass, com, output, inertia } = body;
     let entries = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|at| inertia[at]);
@@ -124,11 +124,11 @@ impl Case {
         format!("chain Case {{ gravity = {gravity} m/s^2; {types} {route}; {loads} }}")
     }
 
-    /// The compiler's equations at any state.
+    /// Runs the compiler's equations at a random state.
     pub fn at_random<S: Scalar>(&self, seed: u64, method: SolutionMethod) -> Moving<S> {
         let mut random = Random::new(seed);
         let chain = read(&self.text());
-        // Numbers that `f32` holds exactly, so that all precisions solve the same problem.
+        // The numbers are exact in `f32`, so that all precisions solve the same problem.
         let mut short = |limit: f64| f64::from(random.between(-limit, limit) as f32);
         let (mut q, mut v) = (Vec::new(), Vec::new());
         for hinge in &chain.hinges {
@@ -143,14 +143,14 @@ impl Case {
         self.at(method, &q, &v)
     }
 
-    /// The compiler's equations at a state.
+    /// Runs the compiler's equations at a state.
     pub fn at<S: Scalar>(&self, method: SolutionMethod, q: &[f64], v: &[f64]) -> Moving<S> {
         let chain = read(&self.text());
         let computed = compute(&chain, (method, Axes::Body), q, v, &vec![0.0; v.len()]);
         Moving { computed, rates: v.to_vec() }
     }
 
-    /// U₁ to U_n of the paper: hinge, body, hinge, body, ….
+    /// Returns U₁ to U_n of the paper: hinge, body, hinge, body, ….
     pub fn elements<T: Number>(&self, moving: &Moving<f64>) -> Vec<TransferMatrix<T>> {
         let points = &moving.computed.report.points;
         let bodies: Vec<TransferMatrix<T>> =
@@ -163,7 +163,7 @@ impl Case {
         (0..bodies.len()).flat_map(|k| [hinge(k), bodies[k]]).collect()
     }
 
-    /// The transfer matrix of body `k`, whose input is `point`.
+    /// Returns the transfer matrix of body `k`, whose input is `point`.
     fn body<T: Number>(&self, k: usize, point: &Point<Structured<f64>>) -> TransferMatrix<T> {
         let Body { mass, com, output, inertia } = &self.bodies[k];
         let body = Body {
@@ -182,7 +182,7 @@ impl Case {
         body.blocks(&motion, &load).transfer_matrix()
     }
 
-    /// Pin `k` as the paper describes it.
+    /// Returns pin `k` as the paper describes it.
     pub fn pin<T: Number>(&self, k: usize, moving: &Moving<f64>) -> Pin<T> {
         let Hinges::Pins(axes) = &self.hinges else { panic!("no pins") };
         let point = &moving.computed.report.points[2 * k + 1];
@@ -193,7 +193,7 @@ impl Case {
         }
     }
 
-    /// E₀ to E₅ of pin `k`; at the last body, whose end is free, its own axis serves as the next.
+    /// Returns E₀ to E₅ of pin `k`; the last pin uses its own axis as that of the next.
     pub fn pin_blocks<T: Number>(
         &self,
         k: usize,
@@ -210,7 +210,7 @@ impl Case {
     }
 }
 
-/// A rotation whose third axis is `axis`.
+/// Returns a rotation whose third axis is `axis`.
 fn frame_about(axis: &Vector3<f64>) -> Matrix3<f64> {
     let other = if axis.x.abs() < 0.6 { Vector3::x() } else { Vector3::y() };
     let second = axis.cross(&other).normalize();
@@ -221,7 +221,7 @@ pub fn list(vector: &Vector3<f64>) -> String {
     format!("{:?}", vector.as_slice())
 }
 
-/// The same numbers in another precision.
+/// Converts numbers to another precision.
 pub fn cast<T: Number, const R: usize, const C: usize>(
     matrix: &SMatrix<f64, R, C>,
 ) -> SMatrix<T, R, C> {
@@ -236,7 +236,7 @@ pub fn matrix(matrix: Mat3<Structured<f64>>) -> Matrix3<f64> {
     Matrix3::from_fn(|row, column| matrix.0[row][column].value())
 }
 
-/// z as the compiler reports it.
+/// Returns z as the compiler reports it.
 pub fn reported(point: &Point<Structured<f64>>) -> SVector<f64, 13> {
     let Point { acceleration, moment, force, .. } = *point;
     let [linear, angular, moment, force] =
@@ -244,7 +244,7 @@ pub fn reported(point: &Point<Structured<f64>>) -> SVector<f64, 13> {
     state::column(&linear, &angular, &moment, &force)
 }
 
-/// The largest difference of two columns, relative to the largest entry of the second.
+/// Returns the largest difference of two columns, relative to the largest entry of the second.
 pub fn apart<const D: usize>(a: &SVector<f64, D>, b: &SVector<f64, D>) -> f64 {
     super::difference(a.as_slice(), b.as_slice())
 }

@@ -1,4 +1,4 @@
-//! Connection points, read off the numbers of a solution as the runtime does.
+//! Reads connection points from the stored values of a solution, as the runtime does.
 
 use super::interpreter::{Arrays, Judge};
 use mstmm_codegen::compile::{
@@ -8,7 +8,7 @@ use mstmm_codegen::ids::RepeatId;
 use mstmm_codegen::model::{Chain, Element};
 use mstmm_codegen::program::ArrayLayout;
 
-/// All points in inertial axes, in the order of the chain written out.
+/// Returns all points in inertial axes, in the order of the chain written out.
 pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) -> Vec<S> {
     let part = |element: &Element| match *element {
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
@@ -78,7 +78,7 @@ impl<S: Judge> Reader<'_, S> {
                 all.extend((0..dimension.columns()).flat_map(unit).map(S::number));
             }
         }
-        // Velocity, `Ω`, `r̈` as felt, `Ω̇`, `m` and `q`.
+        // Velocity, angular velocity, proper acceleration, angular acceleration, moment and force.
         let kinds = [shifts, turns, shifts, turns, turns, shifts];
         let there = kinds.into_iter().enumerate().filter(|(_, along)| !along.is_empty());
         for ((kind, along), framed) in there.zip(&point.vectors) {
@@ -91,7 +91,7 @@ impl<S: Judge> Reader<'_, S> {
         all
     }
 
-    /// An entry in a repetition of its part.
+    /// Returns an entry in a repetition of its part.
     fn number(&self, entry: usize, repetition: usize) -> S {
         let segment = self.layout.segment_of(entry);
         self.numbers[segment.offset + repetition * segment.count + entry - segment.first]

@@ -1,12 +1,11 @@
-//! What holds of the compiler on any text; the fuzz target asks for the same.
+//! The property of the compiler that must hold for every text; the fuzz target tests the same.
 
 use mstmm_codegen::Expansion;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
-/// Expands the text if it is one of Rust's tokens, without a panic, which a `mstmm bug` is too: into code that
-/// parses and, where there are mistakes, messages with words. Returns whether it was right, or nothing where it
-/// has no tokens.
+/// Expands a text. The expansion must not panic, the code must parse, and every error must have a message. Returns whether the
+/// text is valid; none if it cannot be split into Rust tokens.
 pub fn check(text: &str) -> Option<bool> {
     let tokens = without_brackets(text.parse().ok()?);
     let Expansion { items, errors, .. } = mstmm_codegen::expand(tokens, &quote!(::mstmm));
@@ -22,8 +21,8 @@ pub fn check(text: &str) -> Option<bool> {
     Some(false)
 }
 
-/// What stands in `invisible(…)`, as a group without brackets: so a `macro_rules!` passes on what it
-/// took as one expression, which no text can say.
+/// Replaces `invisible(…)` by a group without brackets. A `macro_rules!` passes an expression as such a group, which no text
+/// can contain.
 fn without_brackets(tokens: TokenStream) -> TokenStream {
     let mut all: Vec<TokenTree> = Vec::new();
     for token in tokens {

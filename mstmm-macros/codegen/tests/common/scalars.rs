@@ -1,4 +1,4 @@
-//! The scalars that procedures run on.
+//! The scalars for the interpreter of procedures.
 
 use super::double_double::DoubleDouble;
 use super::interpreter::Judge;
@@ -40,7 +40,7 @@ impl Judge for f32 {
     }
 }
 
-/// Nothing is rounded once that would not be in a product and a sum.
+/// Fused operations are rounded twice, as a product and a sum.
 impl Judge for DoubleDouble {
     fn exceeds(self, scale: Self) -> bool {
         self > Self::new(PIVOT_ULPS) * Self::EPSILON * scale
@@ -56,7 +56,7 @@ impl Judge for DoubleDouble {
     }
 }
 
-/// Tests look at values, but a derivative has to be a number as well.
+/// Tests use the values; the derivative must be finite, too.
 impl<S: Judge> Judge for Dual<S> {
     fn exceeds(self, scale: Self) -> bool {
         self.value().exceeds(scale.value())
@@ -79,7 +79,7 @@ impl<S: Judge> Judge for Dual<S> {
     }
 }
 
-/// The largest difference of two lists, relative to the largest entry of the second, or to one.
+/// Returns the largest difference of two lists, relative to the largest entry of the second or to one.
 pub fn difference_of<S: Judge>(a: &[S], b: &[S]) -> f64 {
     assert_eq!(a.len(), b.len());
     let differences: Vec<f64> = a.iter().zip(b).map(|(&a, &b)| (a - b).plain()).collect();

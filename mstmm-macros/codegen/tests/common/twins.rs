@@ -1,4 +1,4 @@
-//! Random chains with repeated parts, each beside the same chain written out.
+//! Pairs of a random chain with repeated parts and the same chain written out.
 
 use super::folded::texts;
 use super::given::slots;
@@ -26,16 +26,16 @@ pub struct Twins {
     pub written: Twin,
 }
 
-/// When numbers become known.
+/// The stage at which numbers become known.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// As written: most while compiling.
+    /// As in the text: most at compile time.
     Written,
-    /// With the parameters.
+    /// With the parameters, at setup.
     Lifted,
 }
 
-/// Ends from which a repeated part can be run through: the start is held, or neither end is.
+/// The ends of chains with repeated parts: the start is attached, or neither end is.
 const ENDS: [Ends; 7] = [
     Ends::HeldFree,
     Ends::MovingFree,
@@ -46,7 +46,7 @@ const ENDS: [Ends; 7] = [
     Ends::MovingMoving,
 ];
 
-/// The recipe for the chain of a seed, open but for every fourth.
+/// Returns the recipe for a seed; every fourth chain is closed.
 pub fn recipe(seed: u64, random: &mut Random) -> Recipe {
     let dimension = match seed % 5 {
         0 => Dimension::Plane,
@@ -60,14 +60,14 @@ pub fn recipe(seed: u64, random: &mut Random) -> Recipe {
 }
 
 impl Twins {
-    /// Those of a seed, if the language takes both, and they can be compared in any state.
+    /// Returns the pair for a seed, if both are valid and can be compared in any state.
     pub fn random(seed: u64, numbers: Numbers) -> Option<Twins> {
         let mut random = Random::new(seed);
         let recipe = recipe(seed, &mut random);
         Twins::of(seed, &mut random, &recipe, numbers)
     }
 
-    /// Those of a recipe.
+    /// Returns the pair for a recipe.
     pub fn of(seed: u64, random: &mut Random, recipe: &Recipe, numbers: Numbers) -> Option<Twins> {
         let texts = texts(random, &format!("Twin{seed}"), recipe);
         let [repeated, written] = texts.each_ref().map(|text| Twin::new(text, numbers));
@@ -84,8 +84,8 @@ impl Twins {
         }
     }
 
-    /// Whether both are closed at the same hinge. A weld at the end is gone through first, unless a repeated part
-    /// is in its way; then they are the same in closed states alone.
+    /// Returns whether both are closed at the same hinge. A final weld is merged, unless the repeated part is next to it; then
+    /// the chains agree only in closed states.
     fn close_alike(&self) -> bool {
         let names = |twin: &Twin| -> Vec<String> {
             let loop_hinges = twin.layout.loop_hinges.iter();
@@ -94,8 +94,7 @@ impl Twins {
         names(&self.repeated) == names(&self.written)
     }
 
-    /// What both are given in a random state with random parameters and inputs, closed or not. Their setups have
-    /// been run.
+    /// Returns the arguments of both in a random state, closed or not, with random parameters and inputs, after the setup.
     pub fn state<S: Judge>(&self, number: u64) -> [Arrays<S>; 2] {
         let mut random = Random::new(1000 * self.seed + number);
         let written = self.written.random_arguments::<S>(&mut random);
@@ -103,14 +102,14 @@ impl Twins {
         [self.repeated.set_up(repeated), self.written.set_up(written)]
     }
 
-    /// What the repeated chain is given where the one written out is given this.
+    /// Converts the arguments of the chain written out to those of the repeated chain.
     fn repeated_arguments<S: Judge>(
         &self,
         given: &HashMap<Argument, Vec<S>>,
     ) -> HashMap<Argument, Vec<S>> {
         let (repeated, written) = (&self.repeated, &self.written);
         let count = |part| repeated.chain.repeats[part].count;
-        // What is in no part has the same name.
+        // Elements outside of parts have the same names.
         let gathered = |times: Option<usize>, name: &str, find: &dyn Fn(&str) -> Argument| {
             let names: Vec<String> = match times {
                 None => vec![name.to_owned()],
@@ -149,7 +148,7 @@ impl Twins {
 }
 
 impl Twin {
-    /// The only chain of a text, or why it is refused.
+    /// Returns the only chain of a text, or its errors.
     pub fn new(text: &str, numbers: Numbers) -> Result<Twin, String> {
         let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
         let read = mstmm_codegen::read_and_examine(tokens);
@@ -160,7 +159,7 @@ impl Twin {
         Ok(Twin { chain, compiled, layout })
     }
 
-    /// What functions are given beside these arguments.
+    /// Returns the arrays with these arguments.
     pub fn set_up<S: Judge>(&self, arguments: HashMap<Argument, Vec<S>>) -> Arrays<S> {
         let mut given = Arrays { arguments, ..Arrays::default() };
         let mut derived = given.clone();
@@ -169,7 +168,7 @@ impl Twin {
         given
     }
 
-    /// What kind of input it is, and the name of what it belongs to.
+    /// Returns the kind of an input, and the name of the element that it belongs to.
     fn name_of(&self, input: InputId) -> (usize, String) {
         let (hinges, loads) = (&self.chain.hinges, &self.chain.loads);
         match self.layout.inputs[input].what {
@@ -181,15 +180,15 @@ impl Twin {
         }
     }
 
-    /// Random values of all unknowns of a chain without repeated parts. Quaternions are of unit length in the
-    /// scalar's own precision: equations take them for turns.
+    /// Returns random values of all unknowns of a chain without repeated parts. Quaternions have unit length in the precision of
+    /// the scalar, since the equations assume it.
     fn random_arguments<S: Judge>(&self, random: &mut Random) -> HashMap<Argument, Vec<S>> {
         let mut all = HashMap::from([(Argument::Time, vec![S::number(0.3)])]);
         for (argument, layout) in self.compiled.unknowns.arguments() {
             let values = (0..layout.total).map(|_| self.random_number(argument, random));
             let mut values: Vec<f64> = values.collect();
             let quaternions = self.quaternions(argument);
-            // Not too near to zero.
+            // Away from zero.
             quaternions.iter().for_each(|&at| values[at] += values[at].signum());
             let mut values: Vec<S> = values.into_iter().map(S::number).collect();
             quaternions.iter().for_each(|&at| normalise(&mut values[at..at + 4]));
@@ -213,7 +212,7 @@ impl Twin {
         }
     }
 
-    /// Where quaternions begin.
+    /// Returns the indices at which quaternions start.
     fn quaternions(&self, argument: Argument) -> Vec<usize> {
         let hinges = &self.chain.hinges;
         let is_turned = |kind: &HingeKind| kind.coordinates() > kind.dof_count();

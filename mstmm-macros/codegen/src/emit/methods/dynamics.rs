@@ -1,4 +1,4 @@
-//! Accelerations, everything at once, energy and inverse dynamics.
+//! The methods for accelerations, the complete solution, energy and bias efforts.
 
 use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
@@ -11,7 +11,7 @@ use crate::program::OutputId;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// A vector of all rates, which the caller lends.
+/// Returns the argument for a vector of one entry per rate, which the caller owns.
 fn lent_rates(cx: &EmitContext, name: &TokenStream) -> TokenStream {
     let (mstmm, count) = (&cx.mstmm, usize_literal(cx.rates().total));
     quote!(#name: &mut #mstmm::nalgebra::SVector<T, #count>,)
@@ -61,7 +61,7 @@ pub(super) fn implicit_accelerations(cx: &EmitContext) -> MethodTemplate {
     }
 }
 
-/// The methods that return a vector of all rates by value, where those are that lend it.
+/// Returns the methods that return by value the vector that their `_into` forms write.
 pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
     let accelerations = by_value_of(cx, "accelerations", "The accelerations `v̇` of all hinges");
     let bias = cx.compiled.find(Answer::BiasEfforts);
@@ -122,7 +122,7 @@ pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
     }
 }
 
-/// Where a workspace has its results.
+/// Returns the destination of a result in the workspace.
 fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
     match id {
         outputs::ACCELERATIONS => Destination::Vector(quote!(at_.accelerations)),

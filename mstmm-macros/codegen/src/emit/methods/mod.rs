@@ -1,4 +1,4 @@
-//! The methods that compute: one for each function of the table.
+//! The generated methods, one for each function of the table.
 
 mod dynamics;
 mod state;
@@ -13,25 +13,25 @@ use crate::program::OutputId;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// How a function looks in Rust.
+/// The signature and the docs of a generated method.
 struct MethodTemplate {
-    /// Its name, with what it may be seen from.
+    /// Attributes, visibility and name.
     name: TokenStream,
-    /// What its docs say before the table of operations, and behind it.
+    /// The docs before and after the table of operation counts.
     docs: [TokenStream; 2],
-    /// What it is given beside the chain.
+    /// The arguments after `&self`.
     arguments: TokenStream,
-    /// The type of what it returns.
+    /// The return type.
     returns: TokenStream,
-    /// What stands before its statements.
+    /// Statements before those of the procedure.
     opening: TokenStream,
-    /// What it ends with.
+    /// Statements and value after those of the procedure.
     end: TokenStream,
-    /// Where its results go.
+    /// Returns the destination of a result.
     destination: fn(&EmitContext, OutputId) -> Destination,
 }
 
-/// The chain's methods and its implementations of traits.
+/// Returns the chain's methods and its implementations of traits.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.names.chain;
@@ -52,7 +52,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// The method of a function.
+/// Returns the method of a function.
 fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let Some(answer) = function.answer else { bug!("the setup is no method") };
     let MethodTemplate { name, docs, arguments, returns, opening, end, destination } =
@@ -71,7 +71,7 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     }
 }
 
-/// How each function looks.
+/// Returns the template of the method for an answer.
 fn row(cx: &EmitContext, answer: Answer) -> MethodTemplate {
     match answer {
         Answer::Accelerations => dynamics::accelerations(cx),
@@ -87,7 +87,7 @@ fn row(cx: &EmitContext, answer: Answer) -> MethodTemplate {
     }
 }
 
-/// The type of a result, or the error of the chain.
+/// Returns the type `Result<ok, mstmm::Error>`.
 fn fallible(cx: &EmitContext, ok: &TokenStream) -> TokenStream {
     let mstmm = &cx.mstmm;
     quote!(::core::result::Result<#ok, #mstmm::Error>)
@@ -103,7 +103,7 @@ fn of_state_and_inputs(cx: &EmitContext) -> TokenStream {
     quote!(#state inputs_: &#inputs<T>,)
 }
 
-/// A new array.
+/// Returns a new array as destination.
 fn new(name: &str) -> Destination {
     Destination::New(helper(name))
 }

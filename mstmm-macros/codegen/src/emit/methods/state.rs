@@ -1,4 +1,5 @@
-//! What states are mapped to: rates of coordinates, unit quaternions, closed chains, and the start.
+//! The methods that map states: coordinate rates, normalised quaternions, projections of closed chains, and the initial
+//! state.
 
 use super::super::EmitContext;
 use super::super::arrays::usize_literal;
