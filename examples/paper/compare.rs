@@ -1,4 +1,5 @@
-//! Runs a system by generated code of both methods and by Newton–Euler, and finds what differs.
+//! Computes the motion of a system by generated code of both methods and by Newton–Euler, and compares
+//! the motions.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -8,11 +9,12 @@ use serde::Serialize;
 
 use crate::generated::{self, PaperChain};
 use crate::newton_euler::NewtonEuler;
-use crate::output::plot::Curve;
 use crate::output::progress::Progress;
-use crate::system::{MARKS_PER_SECOND, RECORDS_PER_SECOND, Record, System};
+use crate::output::time_figure::Curve;
+use crate::system::{KnownAcceleration, MARKS_PER_SECOND, RECORDS_PER_SECOND, Record, System};
+use crate::verdict::{Bound, Check, Verdict};
 
-/// How many motions [`compare`] computes.
+/// The number of motions that [`compare`] computes.
 pub const MOTIONS_PER_SYSTEM: usize = 3;
 
 /// A system's motion by generated code and by Newton–Euler.
@@ -21,9 +23,9 @@ pub struct Comparison {
     pub system: System,
     pub integrator: &'static str,
     pub step_s: f64,
-    /// Where the largest of all differences to Newton–Euler is.
+    /// The largest difference between `method = riccati` and Newton–Euler.
     pub difference_to_newton_euler: Difference,
-    /// The same between `method = riccati` and `method = transfer`.
+    /// The largest difference between `method = riccati` and `method = transfer`.
     pub difference_between_methods: Difference,
     pub energy_drift: EnergyDrift,
     /// At time zero, in rad/s², in the order of [`System::start`].
@@ -31,9 +33,11 @@ pub struct Comparison {
     /// The motion by generated code, `method = riccati`.
     pub method: Vec<Record>,
     pub newton_euler: Vec<Record>,
+    #[serde(skip)]
+    pub verdicts: Vec<Verdict>,
 }
 
-/// A difference of two angles, modulo a full turn.
+/// A difference of two angles, modulo 2π.
 #[derive(Serialize)]
 pub struct Difference {
     pub size_rad: f64,
@@ -41,15 +45,15 @@ pub struct Difference {
     pub time_s: f64,
 }
 
-/// How far the energy strays from what it was at the start.
+/// The energy drift, the largest |E(t) − E(0)|.
 #[derive(Serialize)]
 pub struct EnergyDrift {
     pub largest_j: f64,
-    /// The drift's scale; the energy itself may be zero.
+    /// The scale of the drift. The energy itself may be zero.
     pub largest_kinetic_energy_j: f64,
 }
 
-/// The same accelerations by different ways.
+/// The same accelerations by three methods.
 #[derive(Serialize)]
 pub struct Accelerations {
     pub riccati: Vec<f64>,
@@ -57,9 +61,10 @@ pub struct Accelerations {
     pub newton_euler: Vec<f64>,
 }
 
-/// Computes one system in all three ways.
+/// Computes one system by all three methods. The file `figure` shows the motion.
 pub fn compare(
     system: System,
+    figure: &'static str,
     riccati: &impl PaperChain,
     transfer: &impl PaperChain,
     newton_euler: &NewtonEuler,
@@ -74,57 +79,69 @@ pub fn compare(
 
     let records_per_mark = (RECORDS_PER_SECOND / MARKS_PER_SECOND) as usize;
     let at_marks = method.iter().step_by(records_per_mark);
+    let difference_to_newton_euler = largest_difference(&system, at_marks, &independent);
+    let difference_between_methods = largest_difference(&system, method.iter(), &by_transfer);
+    let accelerations = Accelerations {
+        riccati: riccati.accelerations(&riccati.initial_state())?,
+        transfer: transfer.accelerations(&transfer.initial_state())?,
+        newton_euler: newton_euler.start_accelerations(),
+    };
+    // "4.2 A" is system A of section 4.2.
+    let letter =
+        system.label.split_once(' ').map_or(String::new(), |(_, letter)| format!("{letter}: "));
+    let verdict = |compared: &str, figure, checks| Verdict {
+        compared: format!("{letter}{compared}"),
+        figure,
+        checks,
+    };
+    let verdicts = vec![
+        verdict(
+            "generated code – Newton–Euler, angles",
+            Some(figure),
+            vec![difference_to_newton_euler.check()],
+        ),
+        verdict(
+            "method riccati – method transfer, angles",
+            None,
+            vec![difference_between_methods.check()],
+        ),
+        verdict("accelerations at t = 0 – closed form", None, accelerations.checks(&system.start)),
+    ];
     Ok(Comparison {
         integrator: "classical Runge–Kutta of order 4",
         step_s: generated::STEP,
-        difference_to_newton_euler: largest_difference(&system, at_marks, &independent),
-        difference_between_methods: largest_difference(&system, method.iter(), &by_transfer),
+        difference_to_newton_euler,
+        difference_between_methods,
         energy_drift: energy_drift(&method),
-        accelerations: Accelerations {
-            riccati: riccati.accelerations(&riccati.initial_state())?,
-            transfer: transfer.accelerations(&transfer.initial_state())?,
-            newton_euler: newton_euler.start_accelerations(),
-        },
+        accelerations,
         method,
         newton_euler: independent,
+        verdicts,
         system,
     })
 }
 
-impl Comparison {
-    /// Says what differs by more than `tolerance`, in rad for angles and rad/s² for accelerations.
-    pub fn complaints(&self, tolerance: f64) -> Vec<String> {
-        let against_newton_euler =
-            self.difference_to_newton_euler.complaint("riccati", "Newton–Euler", tolerance);
-        let between_methods =
-            self.difference_between_methods.complaint("riccati", "transfer", tolerance);
-        let angles = [against_newton_euler, between_methods].into_iter().flatten();
-        let accelerations = self.acceleration_complaints(tolerance);
-        angles.chain(accelerations).map(|text| format!("{}: {text}", self.system.label)).collect()
-    }
-
-    fn acceleration_complaints(&self, tolerance: f64) -> Vec<String> {
-        let Accelerations { riccati, transfer, newton_euler } = &self.accelerations;
-        let ways = [("riccati", riccati), ("transfer", transfer), ("Newton–Euler", newton_euler)];
-        let complaint = |way: &str, found: f64, name: &str, known: f64| {
-            // Written so that NaN is a complaint too.
-            let close = (found - known).abs() <= tolerance;
-            (!close).then(|| {
-                let difference = (found - known).abs();
-                format!(
-                    "the acceleration {name} by {way} is off by {difference:.1e} rad/s², more than \
-                     {tolerance:.1e} rad/s²"
-                )
-            })
+impl Accelerations {
+    /// Compares each method with the known accelerations.
+    fn checks(&self, known: &[KnownAcceleration]) -> Vec<Check> {
+        let Accelerations { riccati, transfer, newton_euler } = self;
+        let methods =
+            [("riccati", riccati), ("transfer", transfer), ("Newton–Euler", newton_euler)];
+        let check = |(method, computed): (&str, &Vec<f64>)| {
+            let pairs = computed.iter().zip(known);
+            let check = |(computed, known): (&f64, &KnownAcceleration)| Check {
+                what: format!("{method}, {}", known.name),
+                size: (computed - known.value).abs(),
+                unit: "rad/s²",
+                bound: Bound::Tolerance,
+            };
+            pairs.map(check).collect::<Vec<_>>()
         };
-        ways.iter()
-            .flat_map(|(way, found)| {
-                found.iter().zip(&self.system.start).map(move |one| (way, one))
-            })
-            .filter_map(|(way, (&found, known))| complaint(way, found, known.name, known.value))
-            .collect()
+        methods.into_iter().flat_map(check).collect()
     }
+}
 
+impl Comparison {
     /// The curves of some of the angles: generated code as the line, Newton–Euler as the marks.
     pub fn curves(&self, angles: Range<usize>) -> Vec<Curve> {
         let points = |records: &[Record], angle: usize| {
@@ -140,16 +157,14 @@ impl Comparison {
 }
 
 impl Difference {
-    fn complaint(&self, one: &str, other: &str, tolerance: f64) -> Option<String> {
-        let Difference { size_rad, angle, time_s } = self;
-        // Written so that NaN is a complaint too.
-        let close = *size_rad <= tolerance;
-        (!close).then(|| {
-            format!(
-                "{one} and {other} differ by {size_rad:.1e} rad in {angle} at t = {time_s} s, more \
-                 than {tolerance:.1e} rad"
-            )
-        })
+    fn check(&self) -> Check {
+        let &Difference { size_rad, ref angle, time_s } = self;
+        Check {
+            what: format!("{angle} at t = {time_s} s"),
+            size: size_rad,
+            unit: "rad",
+            bound: Bound::Tolerance,
+        }
     }
 }
 
@@ -159,29 +174,28 @@ impl EnergyDrift {
     }
 }
 
-/// The largest difference of two motions recorded at the same times.
+/// The largest difference between two motions recorded at the same times.
 fn largest_difference<'a>(
     system: &System,
-    one: impl Iterator<Item = &'a Record>,
-    other: &[Record],
+    computed: impl Iterator<Item = &'a Record>,
+    reference: &[Record],
 ) -> Difference {
     let mut largest = Difference { size_rad: 0.0, angle: String::new(), time_s: 0.0 };
-    for (one, other) in one.zip(other) {
-        assert_eq!(one.time_s, other.time_s, "motions are compared at the same times");
-        for (angle, (a, b)) in
-            system.angles.iter().zip(one.angles_rad.iter().zip(&other.angles_rad))
-        {
+    for (record, reference) in computed.zip(reference) {
+        assert_eq!(record.time_s, reference.time_s, "motions are compared at the same times");
+        let pairs = record.angles_rad.iter().zip(&reference.angles_rad);
+        for (angle, (a, b)) in system.angles.iter().zip(pairs) {
             let size_rad = modulo_full_turns(a - b).abs();
             // In this order NaN is the largest of all.
             if size_rad.total_cmp(&largest.size_rad).is_ge() {
-                largest = Difference { size_rad, angle: angle.name(), time_s: one.time_s };
+                largest = Difference { size_rad, angle: angle.name(), time_s: record.time_s };
             }
         }
     }
     largest
 }
 
-/// The angle between −π and π that differs from `angle` by full turns.
+/// The angle between −π and π that differs from `angle` by a multiple of 2π.
 fn modulo_full_turns(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

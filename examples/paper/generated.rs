@@ -6,20 +6,19 @@ use mstmm::{Energy, Error, GeneratedChain};
 use crate::output::progress::Progress;
 use crate::system::{DURATION, RECORDS_PER_SECOND, Record};
 
-/// Steps of the integrator a second. The largest error of an angle within 5 s is 2e-8 rad with 1000
-/// of them, 1e-9 rad with 2000 and 6e-11 rad with 4000; more than 8000 gain nothing.
+/// The steps of the integrator per second. The largest error of an angle within 5 s is 2e-8 rad with 1000
+/// steps per second, 1e-9 rad with 2000 and 6e-11 rad with 4000; more than 8000 do not reduce it.
 const STEPS_PER_SECOND: u32 = 4000;
 const STEPS_PER_RECORD: u32 = STEPS_PER_SECOND / RECORDS_PER_SECOND;
 /// The step of the integrator in s.
 pub const STEP: f64 = 1.0 / STEPS_PER_SECOND as f64;
 
-/// A generated chain, together with what is compared of it.
+/// A generated chain with the values that are compared.
 pub trait PaperChain: GeneratedChain<Scalar = f64> {
     /// The angles in rad, in the order of [`crate::system::System::angles`].
     fn angles(&self, state: &Self::State) -> Result<Vec<f64>, Error>;
 
-    /// The accelerations in rad/s², in the order of [`crate::system::System::start`]; asked at the
-    /// start only.
+    /// The accelerations in rad/s² at the start, in the order of [`crate::system::System::start`].
     fn accelerations(&self, state: &Self::State) -> Result<Vec<f64>, Error>;
 }
 
@@ -32,7 +31,7 @@ pub fn motion<C: PaperChain>(chain: &C, progress: &Progress) -> Result<Vec<Recor
         for _ in 0..STEPS_PER_RECORD {
             integrator.step(chain, &mut state, |_time, _state| chain.no_inputs())?;
         }
-        // Rather than the state's own time: the nearest number to a whole count of hundredths.
+        // The nearest value to a whole number of hundredths, instead of the state's time.
         let time = f64::from(count) / f64::from(RECORDS_PER_SECOND);
         records.push(record(chain, &state, time)?);
         progress.reach(time);

@@ -1,8 +1,10 @@
 //! The numerical examples of Rui, Bestle, Zhang and Zhou, *A new version of transfer matrix method
-//! for multibody systems* (Multibody System Dynamics, 2016), computed by generated code and, in
-//! the same run, by the ways that the paper compares with, or exactly; and what it claims beyond them.
+//! for multibody systems* (Multibody System Dynamics, 2016), and the paper's claims.
 //!
-//! `cargo run --release --example paper -- --help` tells what it takes.
+//! Generated code computes all of them. In the same run, every result is compared with an independent
+//! solution: the methods that the paper compares with, a Newton–Euler solver, or a closed form.
+//!
+//! `cargo run --release --example paper -- --help` lists the arguments.
 
 mod claims;
 mod compare;
@@ -20,6 +22,7 @@ mod section_4_3;
 mod section_4_4;
 mod system;
 mod timing;
+mod verdict;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -27,24 +30,29 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use output::progress::Progress;
-use section::{Outcome, Section};
+use section::{Results, Section};
 
-/// Computes the examples of Rui et al. (2016), sections 4.1 to 4.4, by generated code and by the ways
-/// that the paper compares with, or exactly, and then what it claims beyond its examples.
+/// Computes the examples of Rui et al. (2016), sections 4.1 to 4.4, and the paper's claims by generated
+/// code, and compares every result with an independent solution.
 ///
-/// Prints tables of angles, accelerations and energies; writes time series (CSV) and the paper's
-/// figures (SVG) to the folder `paper` in cargo's target folder. Fails if the two disagree.
+/// Prints the verdicts. Writes a page with all figures and tables (HTML), the figures (SVG), the tables
+/// (text) and the motions (CSV) to the folder `paper` in cargo's target folder. The exit code is not
+/// zero if a verdict fails.
 #[derive(Parser)]
 #[command(name = "paper")]
 struct Arguments {
-    /// The section of the paper, or the claim, to compute; all of them if none is named
+    /// The section of the paper, or the claim, to compute; all of them by default
     section: Option<Section>,
 
-    /// Print all numbers as one JSON document, and nothing else, on standard output
+    /// Print all tables after the verdicts
+    #[arg(long, conflicts_with = "json")]
+    tables: bool,
+
+    /// Print all values as one JSON document, and nothing else, on standard output
     #[arg(long)]
     json: bool,
 
-    /// The largest difference that passes, in rad for angles, rad/s² for accelerations, m for positions
+    /// The largest difference that passes: angles in rad, accelerations in rad/s², positions in m
     #[arg(long, value_name = "LARGEST", default_value_t = 1e-8)]
     tolerance: f64,
 }
@@ -63,26 +71,30 @@ fn main() -> ExitCode {
     }
 }
 
-/// Does what was asked and returns what does not agree.
+/// Computes the sections, writes and prints the results, and returns the checks that fail.
 fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
-    let sections = arguments.section.map_or(Section::ALL.to_vec(), |section| vec![section]);
-    let outcome = compute(&sections)?;
-    let files = output::write_files(&outcome)?;
-    let complaints = outcome.complaints(arguments.tolerance);
-    if arguments.json {
-        output::print_document(&outcome, &files, arguments.tolerance, &complaints)?;
+    let &Arguments { section, tables, json, tolerance } = arguments;
+    let sections = section.map_or(Section::ALL.to_vec(), |section| vec![section]);
+    let results = compute(&sections)?;
+    let complaints = section::complaints(&results, tolerance);
+    let files = output::write_files(&results, tolerance)?;
+    if json {
+        output::print_document(&results, &files, tolerance, &complaints)?;
     } else {
-        output::print_tables(&outcome, &files)?;
+        output::print_summary(&results, &files, tolerance)?;
+    }
+    if tables {
+        output::print_tables(&results)?;
     }
     Ok(complaints)
 }
 
-fn compute(sections: &[Section]) -> Result<Outcome, mstmm::Error> {
+fn compute(sections: &[Section]) -> Result<Results, mstmm::Error> {
     let progress = Progress::new(sections.iter().map(|section| section.motions()).sum());
-    let mut outcome = Outcome::default();
-    for section in sections {
-        outcome.extend(section.run(&progress)?);
+    let mut results = Results::new();
+    for &section in sections {
+        results.push((section, section.run(&progress)?));
     }
     progress.finish();
-    Ok(outcome)
+    Ok(results)
 }

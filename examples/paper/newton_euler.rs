@@ -1,5 +1,5 @@
-//! The motion by an independent solver: Newton's and Euler's equations of every body, with
-//! Lagrange multipliers for the hinges.
+//! The motion by an independent solver: the Newton–Euler equations of every body, with Lagrange
+//! multipliers for the hinges.
 
 use mstmm_reference::{
     About, Body, Chain, Element, Frame, Hinge, HingeKind, Sample, Solution, State, simulate,
@@ -8,7 +8,7 @@ use mstmm_reference::{
 use crate::output::progress::Progress;
 use crate::system::{DURATION, GRAVITY, MARKS_PER_SECOND, Record};
 
-/// A chain as the independent solver takes it, together with what is compared of it.
+/// A chain for the independent solver, with the values that are compared.
 pub struct NewtonEuler {
     pub chain: Chain,
     pub start: State,
@@ -46,7 +46,7 @@ impl NewtonEuler {
     }
 }
 
-/// Three unit cubes of 1 kg one after the other, each hung by a hinge of the given kind.
+/// Three unit cubes of 1 kg in a row, with hinges of the given kinds at their inputs.
 pub fn three_cubes(hinges: [HingeKind; 3]) -> Chain {
     let hinge = |(name, kind): (&str, HingeKind)| Element::Hinge(Hinge::new(name, kind));
     let cube = |name: &str| {

@@ -1,6 +1,6 @@
 //! Power laws through points.
 
-/// The exponent of the power law through points, by least squares.
+/// The exponent of the power law that fits the points best, by least squares of the logarithms.
 pub fn exponent(points: &[(f64, f64)]) -> f64 {
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let count = logs.len() as f64;

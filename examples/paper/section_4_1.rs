@@ -1,4 +1,4 @@
-//! Section 4.1: three unit cubes on ball-and-socket hinges, let go straight and level.
+//! Section 4.1: three unit cubes on ball-and-socket hinges. They start in a straight, level row.
 //!
 //! The paper counts hinges and bodies together, so `upper`, `middle` and `lower` are its bodies 2, 4
 //! and 6.
@@ -10,12 +10,13 @@ use mstmm_reference::{BodySample, HingeKind, State};
 use crate::compare::{Comparison, compare};
 use crate::generated::PaperChain;
 use crate::newton_euler::{NewtonEuler, three_cubes};
-use crate::output::plot::{Figure, Panel};
+use crate::output::drawing::{Drawing, cubes};
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::output::time_figure::{Panel, TimeFigure};
+use crate::section::SectionResult;
 use crate::system::{Angle, DURATION, GRAVITY, KnownAcceleration, System};
 
-// The chain is written once and compiled by either method.
+// The same chain, compiled for either method.
 macro_rules! ball_pendulum {
     ($name:ident, $method:ident) => {
         mstmm_chain! {
@@ -51,7 +52,7 @@ macro_rules! ball_pendulum {
                 Ok(angles.concat())
             }
 
-            /// As long as all angles are zero, θ̈₃ = Ω̇_z + θ̇₁ θ̇₂, and here every θ̇₁ is zero.
+            /// While all angles are zero, θ̈₃ = Ω̇_z + θ̇₁ θ̇₂. At the start every θ̇₁ is zero.
             fn accelerations(&self, state: &Self::State) -> Result<Vec<f64>, Error> {
                 let mut at = self.workspace();
                 self.solve_into(state, &self.no_inputs(), &mut at)?;
@@ -65,16 +66,25 @@ macro_rules! ball_pendulum {
 ball_pendulum!(BallPendulum, riccati);
 ball_pendulum!(BallPendulumByTransfer, transfer);
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+const FIGURE_4: &str = "figure_4.svg";
+
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
     let comparison = compare(
         system(),
+        FIGURE_4,
         &BallPendulum::new(),
         &BallPendulumByTransfer::new(),
         &newton_euler(),
         progress,
     )?;
     let figures = vec![figure_4(&comparison)];
-    Ok(Outcome { comparisons: vec![comparison], figures, ..Outcome::default() })
+    let drawings = vec![drawing()];
+    Ok(SectionResult {
+        drawings,
+        comparisons: vec![comparison],
+        figures,
+        ..SectionResult::default()
+    })
 }
 
 fn system() -> System {
@@ -88,7 +98,7 @@ fn system() -> System {
         title: "three unit cubes on ball-and-socket hinges, Bryan angles",
         file_stem: "4_1_ball_hinges",
         angles: bodies.into_iter().flat_map(angles_of).collect(),
-        // Straight and level, the planar equations of motion have rational coefficients.
+        // In the straight, level position, the planar equations of motion have rational coefficients.
         start: vec![
             KnownAcceleration {
                 name: "θ̈₃ of body 2 = −534/485 g/l",
@@ -111,7 +121,7 @@ fn newton_euler() -> NewtonEuler {
         chain: three_cubes([HingeKind::Ball, HingeKind::Ball, HingeKind::Ball]),
         start: State { q: [level; 3].concat(), v: [none, none, slow].concat() },
         angles: |sample| sample.bodies.iter().flat_map(bryan_angles).collect(),
-        // The points are the ends of the elements; a body's input is the output of its hinge.
+        // The points are the ends of the elements. The input of a body is the output of its hinge.
         accelerations: |solution| {
             [1, 3, 5].map(|point| solution.points[point].angular_acceleration[2]).to_vec()
         },
@@ -124,18 +134,27 @@ fn bryan_angles(body: &BodySample) -> [f64; 3] {
     [zy.atan2(zz), (-zx).atan2(zy.hypot(zz)), yx.atan2(xx)]
 }
 
-/// The angles of body 2. In one panel, the first two would not be told from zero.
-fn figure_4(comparison: &Comparison) -> Figure {
-    Figure {
-        file_name: "figure_4.svg",
-        title: "Figure 4: rotation angles of body 2 on ball-and-socket hinges",
-        says: "Lines are generated code, crosses Newton–Euler: they cannot be told apart. Bryan angles lie \
-               between −π and π, so that lines break where they wrap.",
-        rival: "Newton–Euler",
+/// The angles of body 2. The first two angles have their own panel because they are small.
+fn figure_4(comparison: &Comparison) -> TimeFigure {
+    TimeFigure {
+        file_name: FIGURE_4,
+        title: "Figure 4 of the paper: rotation angles of body 2 on ball-and-socket hinges",
+        caption: "Lines: generated code. Crosses: Newton–Euler. Bryan angles lie between −π and π; a line \
+                  breaks where its angle passes ±π.",
+        reference: "Newton–Euler",
         end: f64::from(DURATION),
         panels: vec![
             Panel { axis: "θ₁, θ₂ in rad", curves: comparison.curves(0..2) },
             Panel { axis: "θ₃ in rad", curves: comparison.curves(2..3) },
         ],
     }
+}
+
+fn drawing() -> Drawing {
+    let (mut canvas, hinges) = cubes::in_a_row([cubes::Symbol::Ball; 3]);
+    cubes::rate_about_y(&mut canvas, hinges[2], 0.66, "0.1 rad/s");
+    canvas.finish(
+        "Section 4.1: cubes on ball-and-socket hinges",
+        "Unit cubes of 1 kg, drawn with gaps. The third cube starts with 0.1 rad/s about y.",
+    )
 }

@@ -1,8 +1,8 @@
-//! Section 4.2: three unit cubes on pin hinges, let go straight and level.
+//! Section 4.2: three unit cubes on pin hinges. They start in a straight, level row.
 //!
-//! The paper does not say how the pins lie. Its boundary conditions make the first one turn about
-//! z. System A has all of them about z and moves in a plane; system B has the second one about y,
-//! the order of axes of many robot arms.
+//! The paper does not give the axes of the pins. By its boundary conditions the first pin rotates about
+//! z. In system A all pins rotate about z, and the motion is planar. In system B the second pin rotates
+//! about y, as in many robot arms.
 
 use mstmm::Error;
 use mstmm::prelude::*;
@@ -11,12 +11,13 @@ use mstmm_reference::{HingeKind, State};
 use crate::compare::{Comparison, compare};
 use crate::generated::PaperChain;
 use crate::newton_euler::{NewtonEuler, three_cubes};
-use crate::output::plot::{Figure, Panel};
+use crate::output::drawing::{Drawing, cubes};
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::output::time_figure::{Panel, TimeFigure};
+use crate::section::SectionResult;
 use crate::system::{Angle, DURATION, GRAVITY, KnownAcceleration, System};
 
-// The chain is written once and compiled for either choice of axes, by either method.
+// The same chain, compiled for either choice of axes and either method.
 macro_rules! pin_arm {
     ($name:ident, $second_axis:ident, $method:ident) => {
         mstmm_chain! {
@@ -58,9 +59,13 @@ pin_arm!(PlanarArmByTransfer, z, transfer);
 pin_arm!(SpatialArm, y, riccati);
 pin_arm!(SpatialArmByTransfer, y, transfer);
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+const FIGURE_6_A: &str = "figure_6_a.svg";
+const FIGURE_6_B: &str = "figure_6_b.svg";
+
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
     let planar = compare(
         system_a(),
+        FIGURE_6_A,
         &PlanarArm::new(),
         &PlanarArmByTransfer::new(),
         &newton_euler([0.0, 0.0, 1.0]),
@@ -68,16 +73,27 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
     )?;
     let spatial = compare(
         system_b(),
+        FIGURE_6_B,
         &SpatialArm::new(),
         &SpatialArmByTransfer::new(),
         &newton_euler([0.0, 1.0, 0.0]),
         progress,
     )?;
     let figures = vec![
-        figure_6(&planar, "figure_6_a.svg", "Figure 6, A: angles of the pins, axes z, z, z"),
-        figure_6(&spatial, "figure_6_b.svg", "Figure 6, B: angles of the pins, axes z, y, z"),
+        figure_6(&planar, FIGURE_6_A, "Figure 6 of the paper, A: angles of the pins, axes z, z, z"),
+        figure_6(
+            &spatial,
+            FIGURE_6_B,
+            "Figure 6 of the paper, B: angles of the pins, axes z, y, z",
+        ),
     ];
-    Ok(Outcome { comparisons: vec![planar, spatial], figures, ..Outcome::default() })
+    let drawings = vec![drawing_a(), drawing_b()];
+    Ok(SectionResult {
+        drawings,
+        comparisons: vec![planar, spatial],
+        figures,
+        ..SectionResult::default()
+    })
 }
 
 fn system_a() -> System {
@@ -86,7 +102,7 @@ fn system_a() -> System {
         title: "three unit cubes on pins about z, z, z, relative angles",
         file_stem: "4_2_a_pins_zzz",
         angles: angles(),
-        // Straight and level, the planar equations of motion have rational coefficients.
+        // In the straight, level position, the planar equations of motion have rational coefficients.
         start: vec![
             KnownAcceleration { name: "Θ̈₁ = −534/485 g/l", value: -106.8 / 97.0 * GRAVITY },
             KnownAcceleration { name: "Θ̈₂ =  588/485 g/l", value: 117.6 / 97.0 * GRAVITY },
@@ -101,7 +117,7 @@ fn system_b() -> System {
         title: "three unit cubes on pins about z, y, z, relative angles",
         file_stem: "4_2_b_pins_zyz",
         angles: angles(),
-        // At the start the first two cubes fall as one rod, with the third one hung from it.
+        // At the start the first two cubes move as one rod, and the third cube is hinged to its end.
         start: vec![
             KnownAcceleration { name: "Θ̈₁ = −12/19 g/l", value: -12.0 / 19.0 * GRAVITY },
             KnownAcceleration { name: "Θ̈₂ = 0", value: 0.0 },
@@ -126,9 +142,29 @@ fn newton_euler(second_axis: [f64; 3]) -> NewtonEuler {
     }
 }
 
-fn figure_6(comparison: &Comparison, file_name: &'static str, title: &'static str) -> Figure {
+fn figure_6(comparison: &Comparison, file_name: &'static str, title: &'static str) -> TimeFigure {
     let panels =
         vec![Panel { axis: "Θ₁, Θ₂, Θ₃ in rad", curves: comparison.curves(0..3) }];
-    let says = "Lines are generated code, crosses Newton–Euler: they cannot be told apart.";
-    Figure { file_name, title, says, rival: "Newton–Euler", end: f64::from(DURATION), panels }
+    let caption = "Lines: generated code. Crosses: Newton–Euler.";
+    let reference = "Newton–Euler";
+    TimeFigure { file_name, title, caption, reference, end: f64::from(DURATION), panels }
+}
+
+fn drawing_a() -> Drawing {
+    let (mut canvas, hinges) = cubes::in_a_row([cubes::Symbol::Pin; 3]);
+    cubes::rate_about_z(&mut canvas, hinges[1], "1 rad/s");
+    canvas.finish(
+        "Section 4.2 A: cubes on pins about z, z, z",
+        "Unit cubes of 1 kg, drawn with gaps. The second pin starts with 1 rad/s.",
+    )
+}
+
+fn drawing_b() -> Drawing {
+    use cubes::Symbol::{Pin, VerticalPin};
+    let (mut canvas, hinges) = cubes::in_a_row([Pin, VerticalPin, Pin]);
+    cubes::rate_about_y(&mut canvas, hinges[1], 0.72, "1 rad/s");
+    canvas.finish(
+        "Section 4.2 B: cubes on pins about z, y, z",
+        "Unit cubes of 1 kg, drawn with gaps. The second pin is about y and starts with 1 rad/s.",
+    )
 }

@@ -1,30 +1,33 @@
-//! Section 4.4: five masses in a row on springs, the first one to a wall, pulled at by a force.
+//! Section 4.4: five masses in a row on springs. The first spring is fixed to a wall, and a constant force
+//! pulls the first mass.
 //!
-//! The paper's equation (48) has no length at which a spring is at rest, which can be read in two
-//! ways: as it is printed, so that springs are at rest where their masses are in one place; or with the
-//! masses at rest where they start, 0.1 m apart. Both are computed by generated code, by the paper's
-//! three by three matrices (47) and (52), and exactly, by modes.
+//! The paper's equation (48) does not give the unstressed length of a spring. There are two readings: as
+//! printed, with springs of zero length; or with springs that are unstressed at the start, 0.1 m long.
+//! Both are computed by generated code, by the paper's 3 × 3 matrices (47) and (52), and exactly, by
+//! modes.
 
 use mstmm::paper::line;
 use mstmm::prelude::*;
 use mstmm::{ChainState, Error, GeneratedChain};
 use nalgebra::{SMatrix, SVector, Vector3};
 
-use crate::output::exhibit::{Exhibit, KnownDifference, Row};
-use crate::output::plot::{Curve, Figure, Panel};
+use crate::output::drawing::{Canvas, Drawing, Side};
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::output::result_table::{ResultTable, Row};
+use crate::output::time_figure::{Curve, Panel, TimeFigure};
+use crate::section::SectionResult;
+use crate::verdict::{Bound, Check, Verdict};
 
-/// How many masses there are.
+/// The number of masses.
 const COUNT: usize = 5;
 const MASS: f64 = 0.1;
 const STIFFNESS: f64 = 1000.0;
 /// The force on the first mass in N.
 const FORCE: f64 = 100.0;
-/// How far the masses are apart at the start in m.
+/// The distance between neighbouring masses at the start in m.
 const SPACING: f64 = 0.1;
 
-/// The step of the integrator in s; the fastest mode takes 33 ms.
+/// The step of the integrator in s. The fastest mode has a period of 33 ms.
 const STEP: f64 = 2e-5;
 /// The end of the figure and of the comparison in s.
 const FIGURE_END: f64 = 0.5;
@@ -32,7 +35,7 @@ const END: f64 = 5.0;
 /// Times in s at which positions are printed.
 const TIMES: [f64; 4] = [0.01, 0.1, 1.0, 5.0];
 
-type Numbers = SVector<f64, COUNT>;
+type Positions = SVector<f64, COUNT>;
 
 macro_rules! spring_chain {
     ($(#[$doc:meta])* $name:ident $rest:literal) => {
@@ -50,41 +53,41 @@ macro_rules! spring_chain {
 }
 
 spring_chain! {
-    /// Springs without a length, as printed.
+    /// Springs of zero length, as printed.
     Literal 0
 }
 spring_chain! {
-    /// Springs that are at rest at the start.
+    /// Springs that are unstressed at the start.
     Rested 0.1
 }
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
-    let mut outcome = Outcome::default();
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
+    let mut result = SectionResult { drawings: vec![drawing()], ..SectionResult::default() };
     progress.begin("4.4: springs without a length");
     let literal = Reading { name: "springs without a length", rest: 0.0 };
     let chain = Literal::<f64>::new();
-    literal.compare(&chain, "figure_10_a.svg", &mut outcome, progress)?;
+    literal.compare(&chain, "figure_10_a.svg", &mut result, progress)?;
     progress.begin("4.4: springs at rest at the start");
     let rested = Reading { name: "springs at rest at the start", rest: SPACING };
     let chain = Rested::<f64>::new();
-    rested.compare(&chain, "figure_10_b.svg", &mut outcome, progress)?;
-    Ok(outcome)
+    rested.compare(&chain, "figure_10_b.svg", &mut result, progress)?;
+    Ok(result)
 }
 
-/// One way to read equation (48).
+/// A reading of equation (48).
 struct Reading {
     name: &'static str,
-    /// The length of every spring without load in m.
+    /// The unstressed length of every spring in m.
     rest: f64,
 }
 
-/// Positions of all masses over time, by each way.
+/// The positions of all masses over time in m, by each method.
 #[derive(Default)]
 struct Motion {
     times: Vec<f64>,
-    generated: Vec<Numbers>,
-    matrices: Vec<Numbers>,
-    exact: Vec<Numbers>,
+    generated: Vec<Positions>,
+    matrices: Vec<Positions>,
+    exact: Vec<Positions>,
 }
 
 impl Reading {
@@ -92,25 +95,26 @@ impl Reading {
         &self,
         chain: &C,
         file_name: &'static str,
-        outcome: &mut Outcome,
+        result: &mut SectionResult,
         progress: &Progress,
     ) -> Result<(), Error> {
         let motion = self.motion(chain, progress)?;
-        let largest = |found: &[Numbers]| {
+        let largest = |found: &[Positions]| {
             let differences = found.iter().zip(&motion.exact).map(|(a, b)| (a - b).amax());
             // In this order NaN is the largest of all.
             differences.max_by(f64::total_cmp).unwrap_or(f64::NAN)
         };
-        let difference = |what: &str, found: &[Numbers]| KnownDifference {
+        let difference = |what: &str, found: &[Positions]| Check {
             what: format!("{}, {what}: largest difference to the modes", self.name),
             size: largest(found),
             unit: "m",
+            bound: Bound::Tolerance,
         };
-        let row = |name: &str, found: &[Numbers], mass: usize| Row {
+        let row = |name: &str, found: &[Positions], mass: usize| Row {
             name: format!("{name}, body {}", 2 * mass + 2),
             values: TIMES.map(|time| found[index(time)][mass]).to_vec(),
         };
-        outcome.exhibits.push(Exhibit {
+        result.tables.push(ResultTable {
             section: "Section 4.4",
             title: match self.rest {
                 0.0 => "positions in m, springs without a length, as (48) is printed",
@@ -125,16 +129,20 @@ impl Reading {
                 row("matrices (47) and (52)", &motion.matrices, COUNT - 1),
                 row("modes, exact", &motion.exact, COUNT - 1),
             ],
-            says: vec![
-                "Generated code and the paper's matrices move the masses as their modes do.",
-            ],
-            differences: vec![
-                difference("generated code", &motion.generated),
-                difference("matrices (47) and (52)", &motion.matrices),
-            ],
-            faults: Vec::new(),
+            note: "Generated code and the paper's matrices agree with the exact motion by modes.",
+            verdicts: vec![Verdict {
+                compared: match self.rest {
+                    0.0 => "zero length: code, matrices – modes, positions".into(),
+                    _ => "0.1 m length: code, matrices – modes, positions".into(),
+                },
+                figure: Some(file_name),
+                checks: vec![
+                    difference("generated code", &motion.generated),
+                    difference("matrices (47) and (52)", &motion.matrices),
+                ],
+            }],
         });
-        outcome.figures.push(self.figure(file_name, &motion));
+        result.figures.push(self.figure(file_name, &motion));
         Ok(())
     }
 
@@ -146,7 +154,7 @@ impl Reading {
         let modes = Modes::new(self.rest);
         let mut state = chain.initial_state();
         let mut rk4 = Rk4::new(STEP);
-        let (mut x, mut v) = (start(), Numbers::zeros());
+        let (mut x, mut v) = (start(), Positions::zeros());
         let mut motion = Motion::default();
         let steps_per_record = (RECORD / STEP).round() as usize;
         for record in 0..=index(END) {
@@ -166,30 +174,31 @@ impl Reading {
         Ok(motion)
     }
 
-    /// The force on each mass [P, Eqs. (48), (49)], with the wall at zero and springs of a length.
-    fn forces(&self, x: &Numbers) -> Numbers {
+    /// The force on each mass [P, Eqs. (48), (49)], with the wall at zero and the springs' unstressed
+    /// length.
+    fn forces(&self, x: &Positions) -> Positions {
         let pull = |k: usize| {
-            let before = if k == 0 { 0.0 } else { x[k - 1] };
-            STIFFNESS * (x[k] - before - self.rest)
+            let previous = if k == 0 { 0.0 } else { x[k - 1] };
+            STIFFNESS * (x[k] - previous - self.rest)
         };
-        Numbers::from_fn(|k, _| {
-            let own = if k == 0 { FORCE } else { 0.0 };
+        Positions::from_fn(|k, _| {
+            let applied = if k == 0 { FORCE } else { 0.0 };
             let next = if k + 1 < COUNT { pull(k + 1) } else { 0.0 };
-            own - pull(k) + next
+            applied - pull(k) + next
         })
     }
 
-    /// Accelerations by the overall transfer equation of `z = [ẍ, q, 1]`, its matrices (47) and (52) as
-    /// printed.
-    fn by_matrices(&self, x: &Numbers) -> Numbers {
+    /// The accelerations by the overall transfer equation for `z = [ẍ, q, 1]`, with the matrices (47)
+    /// and (52) as printed.
+    fn by_matrices(&self, x: &Positions) -> Positions {
         let forces = self.forces(x);
         let body = |k: usize| line::body(MASS, forces[k]);
         let hinge = |k: usize| line::acceleration_hinge(MASS, forces[k]);
         let overall = (1..COUNT).fold(body(0), |product, k| body(k) * hinge(k) * product);
-        // Both ends are free, q = 0: the second row of z_{10,O} = U z_{2,I} gives ẍ of the first.
+        // Both ends are free, q = 0. The second row of z_{10,O} = U z_{2,I} gives ẍ of the first mass.
         let first = -overall[(1, 2)] / overall[(1, 0)];
         let mut z = Vector3::new(first, 0.0, 1.0);
-        let mut accelerations = Numbers::zeros();
+        let mut accelerations = Positions::zeros();
         for k in 0..COUNT {
             if k > 0 {
                 z = hinge(k) * z;
@@ -200,10 +209,10 @@ impl Reading {
         accelerations
     }
 
-    fn figure(&self, file_name: &'static str, motion: &Motion) -> Figure {
+    fn figure(&self, file_name: &'static str, motion: &Motion) -> TimeFigure {
         let end = index(FIGURE_END);
         let curve = |label: &'static str, mass: usize| {
-            let point = |k: usize, found: &[Numbers]| (motion.times[k], found[k][mass]);
+            let point = |k: usize, found: &[Positions]| (motion.times[k], found[k][mass]);
             Curve {
                 label,
                 line: (0..=end).map(|k| point(k, &motion.generated)).collect(),
@@ -211,14 +220,14 @@ impl Reading {
             }
         };
         let curves = vec![curve("body 2", 0), curve("body 10", COUNT - 1)];
-        Figure {
+        TimeFigure {
             file_name,
             title: match self.rest {
-                0.0 => "Figure 10: positions, springs without a length",
-                _ => "Figure 10: positions, springs at rest at the start",
+                0.0 => "Figure 10 of the paper: positions, springs of zero length",
+                _ => "Figure 10 of the paper: positions, springs of 0.1 m",
             },
-            says: "Lines are generated code, crosses the exact motion by modes.",
-            rival: "exact, by modes",
+            caption: "Lines: generated code. Crosses: the exact motion by modes.",
+            reference: "exact, by modes",
             end: FIGURE_END,
             panels: vec![Panel { axis: "x in m", curves }],
         }
@@ -228,26 +237,26 @@ impl Reading {
 /// The time between two records in s.
 const RECORD: f64 = 1e-3;
 
-/// The record of a time.
+/// The index of the record at a time in s.
 fn index(time: f64) -> usize {
     (time / RECORD).round() as usize
 }
 
-fn start() -> Numbers {
-    Numbers::from_fn(|k, _| SPACING * (k + 1) as f64)
+fn start() -> Positions {
+    Positions::from_fn(|k, _| SPACING * (k + 1) as f64)
 }
 
-/// Positions from the way of each mass against the one before.
-fn positions(ways: &[f64]) -> Numbers {
+/// The positions from the displacement of each mass relative to the previous one.
+fn positions(displacements: &[f64]) -> Positions {
     let mut sum = 0.0;
-    Numbers::from_fn(|k, _| {
-        sum += ways[k];
+    Positions::from_fn(|k, _| {
+        sum += displacements[k];
         sum
     })
 }
 
 /// A step of the classical method of order four for `ẍ = f(x)`.
-fn runge_kutta(x: &mut Numbers, v: &mut Numbers, f: impl Fn(&Numbers) -> Numbers) {
+fn runge_kutta(x: &mut Positions, v: &mut Positions, f: impl Fn(&Positions) -> Positions) {
     let h = STEP;
     let (v1, a1) = (*v, f(x));
     let (v2, a2) = (*v + a1 * (h / 2.0), f(&(*x + v1 * (h / 2.0))));
@@ -257,13 +266,13 @@ fn runge_kutta(x: &mut Numbers, v: &mut Numbers, f: impl Fn(&Numbers) -> Numbers
     *v += (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0);
 }
 
-/// The exact solution: every mode swings about its own rest.
+/// The exact solution: each mode oscillates about its equilibrium.
 struct Modes {
     shapes: SMatrix<f64, COUNT, COUNT>,
-    frequencies: Numbers,
-    /// Amplitudes of the modes at the start, at rest.
-    amplitudes: Numbers,
-    equilibrium: Numbers,
+    frequencies: Positions,
+    /// The amplitudes of the modes at the start, where all velocities are zero.
+    amplitudes: Positions,
+    equilibrium: Positions,
 }
 
 impl Modes {
@@ -275,9 +284,10 @@ impl Modes {
             _ => 0.0,
         });
         let eigen = stiffness.symmetric_eigen();
-        let mut load = Numbers::zeros();
+        let mut load = Positions::zeros();
         load[0] = FORCE;
-        // Springs push their last mass away by their length; elsewhere two of them cancel.
+        // The unstressed length pushes the last mass away from the wall. On every other mass, the pushes
+        // of two springs cancel.
         load[COUNT - 1] = STIFFNESS * rest;
         let modal = eigen.eigenvectors.transpose() * load;
         let equilibrium = eigen.eigenvectors * modal.component_div(&eigen.eigenvalues);
@@ -289,8 +299,28 @@ impl Modes {
         }
     }
 
-    fn at(&self, time: f64) -> Numbers {
-        let swung = self.frequencies.map(|frequency| (frequency * time).cos());
-        self.equilibrium + self.shapes * self.amplitudes.component_mul(&swung)
+    fn at(&self, time: f64) -> Positions {
+        let phases = self.frequencies.map(|frequency| (frequency * time).cos());
+        self.equilibrium + self.shapes * self.amplitudes.component_mul(&phases)
     }
+}
+
+fn drawing() -> Drawing {
+    const HALF: f64 = 0.017;
+    let mut canvas = Canvas::new([-0.03, 0.56], [-0.11, 0.1], 440.0);
+    canvas.wall([0.0, 0.0], 30.0);
+    for k in 0..COUNT {
+        let x = SPACING * (k + 1) as f64;
+        let from = if k == 0 { 0.0 } else { x - SPACING + HALF };
+        canvas.spring([from, 0.0], [x - HALF, 0.0]);
+        canvas.body(&[[x - HALF, -HALF], [x + HALF, -HALF], [x + HALF, HALF], [x - HALF, HALF]]);
+        canvas.text([x, 0.0], Side::Centre, &(2 * k + 2).to_string());
+    }
+    canvas.arrow([SPACING, 0.045], [SPACING + 0.06, 0.045]);
+    canvas.text([SPACING + 0.06, 0.045], Side::Right, "100 N on body 2");
+    canvas.dimension([3.0 * SPACING, -0.045], [4.0 * SPACING, -0.045], "0.1 m");
+    canvas.finish(
+        "Section 4.4: five masses on springs",
+        "Bodies 2 to 10 of 0.1 kg each, springs of 1000 N/m. There is no gravity.",
+    )
 }

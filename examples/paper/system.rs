@@ -1,28 +1,28 @@
-//! What a system is called, which of its angles are compared, and how a motion is recorded.
+//! The systems of sections 4.1 and 4.2: their names, the compared angles, and the records of a motion.
 
 use serde::Serialize;
 
 /// The end of every motion in s.
 pub const DURATION: u32 = 5;
-/// How many times a second the motion by generated code is recorded.
+/// The records per second of the motion by generated code.
 pub const RECORDS_PER_SECOND: u32 = 100;
-/// How many times a second the motion by Newton–Euler is recorded; it divides the other number.
+/// The records per second of the motion by Newton–Euler. It divides [`RECORDS_PER_SECOND`].
 pub const MARKS_PER_SECOND: u32 = 10;
-/// The acceleration of free fall in m/s², along −y. The paper does not give it; with this value the
-/// errors in its table 1 come out.
+/// The acceleration of gravity in m/s², along −y. The paper does not give it; this value reproduces the
+/// errors in the paper's table 1.
 pub const GRAVITY: f64 = 9.8;
 
 /// A mechanical system of the paper.
 #[derive(Serialize)]
 pub struct System {
-    /// The section, with a letter where it has several systems.
+    /// The section, with a letter if the section has several systems.
     pub label: &'static str,
     pub title: &'static str,
-    /// How names of files begin.
+    /// The beginning of file names.
     pub file_stem: &'static str,
-    /// The angles that are compared, in the order of [`Record::angles_rad`].
+    /// The compared angles, in the order of [`Record::angles_rad`].
     pub angles: Vec<Angle>,
-    /// Accelerations at time zero that are known beforehand.
+    /// The accelerations at time zero in closed form.
     pub start: Vec<KnownAcceleration>,
 }
 
@@ -30,13 +30,13 @@ pub struct System {
 #[derive(Serialize)]
 pub struct Angle {
     pub symbol: &'static str,
-    /// What the angle belongs to, such as "body 2". Angles of one group share a table.
+    /// The element of the angle, such as "body 2". Angles of one group share a table.
     pub group: &'static str,
-    /// The column of a CSV file.
+    /// The name of the column in a CSV file.
     pub column: String,
 }
 
-/// A second derivative of an angle at time zero.
+/// The second derivative of an angle at time zero.
 #[derive(Serialize)]
 pub struct KnownAcceleration {
     pub name: &'static str,

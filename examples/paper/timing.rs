@@ -1,45 +1,46 @@
-//! What ways to compute the same thing cost, timed in turns, so that what else the machine does falls on
-//! all of them.
+//! Times of several methods for the same computation. The methods are timed in turns, so that other
+//! processes on the machine affect all of them.
 
 use std::hint::black_box;
 use std::time::Instant;
 
 use mstmm::{ChainState, Error, GeneratedChain};
 
-/// How long a batch of evaluations is timed in s.
+/// The duration of a batch of evaluations in s.
 const BATCH: f64 = 1e-3;
-/// How many batches of each way serve for most purposes.
+/// The number of batches of each method for most measurements.
 pub const BATCHES: usize = 15;
 
-/// A way to compute something once.
+/// One evaluation by a method.
 pub type Evaluation<'a> = Box<dyn FnMut() + 'a>;
 
-/// What an evaluation by each way takes in s: that of the fastest of so many batches, which other work on
-/// the machine has slowed least.
-pub fn fastest(ways: &mut [Evaluation], batches: usize) -> Vec<f64> {
-    let counts: Vec<u32> = ways.iter_mut().map(|way| evaluations_in(BATCH, way)).collect();
-    let mut fastest = vec![f64::INFINITY; ways.len()];
+/// The time of one evaluation by each method in s: the smallest mean of a batch, which other processes have
+/// affected least.
+pub fn fastest(methods: &mut [Evaluation], batches: usize) -> Vec<f64> {
+    let counts: Vec<u32> =
+        methods.iter_mut().map(|evaluation| evaluations_in(BATCH, evaluation)).collect();
+    let mut fastest = vec![f64::INFINITY; methods.len()];
     for _ in 0..batches {
-        for ((way, &count), fastest) in ways.iter_mut().zip(&counts).zip(&mut fastest) {
-            *fastest = fastest.min(seconds(count, way) / f64::from(count));
+        for ((evaluation, &count), fastest) in methods.iter_mut().zip(&counts).zip(&mut fastest) {
+            *fastest = fastest.min(seconds(count, evaluation) / f64::from(count));
         }
     }
     fastest
 }
 
-/// How many evaluations take about so long, at least one.
-fn evaluations_in(duration: f64, way: &mut Evaluation) -> u32 {
+/// The number of evaluations that take about `duration` in s, at least one.
+fn evaluations_in(duration: f64, evaluation: &mut Evaluation) -> u32 {
     let mut count = 1;
-    while seconds(count, way) < duration && count < 1 << 24 {
+    while seconds(count, evaluation) < duration && count < 1 << 24 {
         count *= 2;
     }
     count
 }
 
-fn seconds(count: u32, way: &mut Evaluation) -> f64 {
+fn seconds(count: u32, evaluation: &mut Evaluation) -> f64 {
     let start = Instant::now();
     for _ in 0..count {
-        way();
+        evaluation();
     }
     start.elapsed().as_secs_f64()
 }
@@ -65,13 +66,13 @@ impl<'a, C: GeneratedChain<Scalar = f64>> Generated<'a, C> {
         self.chain.derivative_into(state, black_box(&self.inputs), black_box(&mut self.rate))
     }
 
-    /// Those of the last evaluation.
+    /// The accelerations of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
         self.rate.rates()
     }
 }
 
-/// The largest difference, of the largest number.
+/// The largest difference between two lists, relative to the largest value of the first list.
 pub fn difference(a: &[f64], b: &[f64]) -> f64 {
     let largest = a.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs() / largest);

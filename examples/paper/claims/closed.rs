@@ -1,11 +1,12 @@
-//! Chains closed over ground, beside an independent solution.
+//! Chains closed over the ground, compared with independent solutions.
 //!
-//! "Closed-loop systems can be handled like chain systems" [P, section 2.4], but the paper shows none.
-//! Here are two: a four-bar, which has one freedom, beside its one equation of motion; and links in
-//! space between two balls, with nine freedoms, beside Newton's and Euler's equations.
+//! "Closed-loop systems can be handled like chain systems" [P, section 2.4], but the paper has no example.
+//! Two examples are computed here: a four-bar with one degree of freedom, compared with its one equation
+//! of motion; and spatial links between two balls with nine degrees of freedom, compared with the
+//! Newton–Euler equations.
 
-mod beside;
 mod between_balls;
+mod comparison;
 mod cost;
 mod eksergian;
 mod four_bar;
@@ -13,14 +14,14 @@ mod four_bar;
 use mstmm::Error;
 
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::section::SectionResult;
 
-/// How many parts the progress counts: both chains by both ways, and what a closure costs.
+/// The number of parts that the progress bar counts: both chains by both methods, and the cost of a loop.
 pub const MOTIONS: usize = 4 + cost::LENGTHS;
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
-    let mut outcome = four_bar::beside(progress)?.outcome();
-    outcome.extend(between_balls::beside(progress)?.outcome());
-    outcome.exhibits.push(cost::exhibit(progress)?);
-    Ok(outcome)
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
+    let mut result = four_bar::compare(progress)?.result();
+    result.extend(between_balls::compare(progress)?.result());
+    result.extend(cost::run(progress)?);
+    Ok(result)
 }

@@ -1,27 +1,27 @@
-//! What the product of the printed matrices loses with length, and where it is singular.
+//! The accuracy of the product of the printed matrices: by length, and for pins at right angles.
 
 mod by_length;
-mod measure;
+mod errors;
 mod pose;
 mod product;
 mod rank;
+mod reference;
 mod right_angles;
-mod truth;
 
 use mstmm::Error;
 
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::section::SectionResult;
 
-/// Binary digits of the reference, 48 decimal ones.
+/// The binary digits of the reference solution (48 decimal digits).
 const DIGITS: usize = 160;
 
-/// How many parts the progress counts.
+/// The number of parts that the progress bar counts.
 pub const MOTIONS: usize = by_length::MOTIONS + right_angles::MOTIONS;
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
-    let mut outcome = by_length::run(progress)?;
-    outcome.exhibits.push(right_angles::exhibit(progress)?);
-    outcome.exhibits.push(rank::exhibit());
-    Ok(outcome)
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
+    let mut result = by_length::run(progress)?;
+    result.tables.push(right_angles::table(progress)?);
+    result.tables.push(rank::table());
+    Ok(result)
 }

@@ -1,4 +1,4 @@
-//! What the paper claims beyond its examples, and what it does not say, each with numbers.
+//! The paper's claims beyond its examples, and the limits that it does not state, each with values.
 
 pub mod closed;
 pub mod integrators;

@@ -1,8 +1,8 @@
-//! The overall product in parts: the two-port form of a part is associative.
+//! The overall product in parts, by the associative two-port form of a part.
 //!
 //! "The overall transfer matrix (10) could be computed by a parallel algorithm, not necessarily by
-//! serial processing" [P, section 2.4]; the paper does not try. Here a pendulum of rods is cut into
-//! parts, one for each thread, and timed beside generated code, which goes from rod to rod.
+//! serial processing" [P, section 2.4]. The paper has no example. Here a pendulum of rods is divided into
+//! parts, one for each thread, and its time is compared with that of generated code, which is serial.
 
 mod pendulum;
 mod two_port;
@@ -15,24 +15,25 @@ use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain};
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
-use crate::output::exhibit::{Exhibit, KnownDifference, Row};
-use crate::output::log_plot::{LogFigure, Series, Way};
+use crate::output::log_figure::{LogFigure, Series, SeriesStyle};
 use crate::output::progress::Progress;
+use crate::output::result_table::{ResultTable, Row};
 use crate::rods::{Recursion, Rods};
-use crate::section::Outcome;
+use crate::section::{Measurement, SectionResult};
 use crate::system::GRAVITY;
 use crate::timing::{Evaluation, Generated, difference, fastest};
+use crate::verdict::{Bound, Check, Verdict};
 use pendulum::Parts;
 
 const SECTION: &str = "Section 2.4, in parallel";
 
-/// The ways besides two-ports in parallel.
+/// The serial methods.
 const SERIAL: [&str; 3] = [
     "generated code, riccati",
     "recursion of order n, at run time",
     "two-ports, one after the other",
 ];
-/// Numbers of parts and threads that are tried, as far as the machine has them.
+/// Numbers of parts and threads, as far as the machine has them.
 const PARALLEL: [(usize, &str); 6] = [
     (2, "two-ports on 2 threads"),
     (4, "two-ports on 4 threads"),
@@ -41,17 +42,18 @@ const PARALLEL: [(usize, &str); 6] = [
     (32, "two-ports on 32 threads"),
     (64, "two-ports on 64 threads"),
 ];
-/// The places of generated code and of two-ports one after the other in [`SERIAL`].
+/// The indices of generated code and of serial two-ports in [`SERIAL`].
 const GENERATED: usize = 0;
-const ONE_BY_ONE: usize = 2;
+const SERIAL_TWO_PORTS: usize = 2;
+const FIGURE: &str = "parallel.svg";
 
-/// Batches that are timed: all threads have to be left alone in one of them.
+/// Batches that are timed. In at least one of them, no other process should disturb any thread.
 const BATCHES: usize = 40;
-/// Long chains keep their states on the stack.
+/// The stack of a thread in bytes. The states of long chains are on the stack.
 const STACK: usize = 1 << 28;
 
-/// What an evaluation by each way takes in s, first the serial ones, and how far the ways differ from
-/// the first.
+/// The time of one evaluation by each method in s, the serial methods first, and the largest relative
+/// difference between the first method and the others.
 struct Timing {
     rods: usize,
     seconds: Vec<f64>,
@@ -59,10 +61,10 @@ struct Timing {
 }
 
 impl Timing {
-    /// The number of rods, and what each of them takes in s.
-    fn for_a_rod(&self, way: usize) -> (f64, f64) {
+    /// The number of rods, and the time per rod in s.
+    fn per_rod(&self, method: usize) -> (f64, f64) {
         let rods = self.rods as f64;
-        (rods, self.seconds[way] / rods)
+        (rods, self.seconds[method] / rods)
     }
 }
 
@@ -80,12 +82,12 @@ macro_rules! pendulums {
         fn timings(pool: &ThreadPool, progress: &Progress) -> Result<Vec<Timing>, Error> {
             Ok(vec![$({
                 progress.begin(concat!("parallel: ", $count, " rods"));
-                // In a thread of the pool, which then need not be woken.
+                // In a thread of the pool, so that it need not be woken.
                 pool.install(|| timing(&$name::new(), $count))?
             }),*])
         }
 
-        /// How many parts the progress counts.
+        /// The number of parts that the progress bar counts.
         pub const MOTIONS: usize = [$($count),*].len();
     };
 }
@@ -102,7 +104,7 @@ pendulums! {
     Rods100000 100000
 }
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
     let threads = available_parallelism().map_or(1, NonZero::get);
     let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
     let pool = match pool {
@@ -112,16 +114,22 @@ pub fn run(progress: &Progress) -> Result<Outcome, Error> {
     let timings = timings(&pool, progress)?;
     let names: Vec<&str> =
         SERIAL.into_iter().chain(parallel(threads).map(|(_, name)| name)).collect();
-    let exhibits = vec![times(&timings, &names), pays(&timings, &names)];
-    Ok(Outcome { exhibits, log_figures: vec![figure(&timings, &names)], ..Outcome::default() })
+    let measurements =
+        vec![Measurement { text: break_even(&timings, &names, threads), figure: Some(FIGURE) }];
+    Ok(SectionResult {
+        tables: vec![times(&timings, &names), break_even_table(&timings, &names)],
+        log_figures: vec![figure(&timings, &names)],
+        measurements,
+        ..SectionResult::default()
+    })
 }
 
-/// The numbers of threads to try on a machine that has so many.
+/// The numbers of parts to compute on a machine with this number of threads.
 fn parallel(threads: usize) -> impl Iterator<Item = (usize, &'static str)> {
     PARALLEL.into_iter().filter(move |(count, _)| *count <= threads)
 }
 
-/// Times a length; the pose is that of Figure 8.
+/// Times the methods for `count` rods, in the pose of Figure 8.
 fn timing<C: GeneratedChain<Scalar = f64>>(chain: &C, count: usize) -> Result<Timing, Error> {
     let rods = Rods {
         gravity: GRAVITY,
@@ -131,15 +139,15 @@ fn timing<C: GeneratedChain<Scalar = f64>>(chain: &C, count: usize) -> Result<Ti
     let rods = &rods;
     let mut generated = Generated::new(chain, &rods.angles, &rods.rates);
     generated.evaluate()?;
-    let found = generated.accelerations().to_vec();
+    let accelerations = generated.accelerations().to_vec();
     let mut differences = Vec::new();
-    let mut check = |other: &[f64]| differences.push(difference(&found, other));
+    let mut check = |other: &[f64]| differences.push(difference(&accelerations, other));
 
     let mut recursion = Recursion::new(count);
     check(&rods.by_recursion(&mut recursion));
-    let mut one = Parts::new(count, 1);
-    check(one.in_turn(rods));
-    let mut ways: Vec<Evaluation> = vec![
+    let mut serial = Parts::new(count, 1);
+    check(serial.compute_serially(rods));
+    let mut evaluations: Vec<Evaluation> = vec![
         Box::new(move || {
             let _ = black_box(generated.evaluate());
         }),
@@ -147,59 +155,76 @@ fn timing<C: GeneratedChain<Scalar = f64>>(chain: &C, count: usize) -> Result<Ti
             black_box(black_box(rods).by_recursion(&mut recursion));
         }),
         Box::new(move || {
-            black_box(one.in_turn(black_box(rods)));
+            black_box(serial.compute_serially(black_box(rods)));
         }),
     ];
     for (threads, _) in parallel(rayon::current_num_threads()) {
         let mut parts = Parts::new(count, threads);
-        check(parts.at_once(rods));
-        ways.push(Box::new(move || {
-            black_box(parts.at_once(black_box(rods)));
+        check(parts.compute_in_parallel(rods));
+        evaluations.push(Box::new(move || {
+            black_box(parts.compute_in_parallel(black_box(rods)));
         }));
     }
     // In this order NaN is the largest of all.
     let difference = differences.into_iter().max_by(f64::total_cmp).unwrap_or(f64::NAN);
-    Ok(Timing { rods: count, seconds: fastest(&mut ways, BATCHES), difference })
+    Ok(Timing { rods: count, seconds: fastest(&mut evaluations, BATCHES), difference })
 }
 
-fn times(timings: &[Timing], names: &[&str]) -> Exhibit {
-    let row = |(way, name): (usize, &&str)| Row {
+fn times(timings: &[Timing], names: &[&str]) -> ResultTable {
+    let row = |(method, name): (usize, &&str)| Row {
         name: (*name).into(),
-        values: timings.iter().map(|timing| timing.seconds[way]).collect(),
+        values: timings.iter().map(|timing| timing.seconds[method]).collect(),
     };
     let largest = timings.iter().map(|timing| timing.difference).max_by(f64::total_cmp);
-    Exhibit {
+    ResultTable {
         section: SECTION,
         title: "time for one evaluation of all accelerations in s",
         columns: timings.iter().map(|timing| format!("{} rods", timing.rods)).collect(),
         rows: names.iter().enumerate().map(row).collect(),
-        says: vec![
-            "A two-port has unknowns at both ends, so joining two of them takes more than the step from",
-            "rod to rod that generated code takes: threads have to win that back first.",
-        ],
-        differences: vec![KnownDifference {
-            what: "largest difference of the ways, of the largest acceleration".into(),
-            size: largest.unwrap_or(f64::NAN),
-            unit: "",
+        note: "A two-port has unknowns at both ends. Joining two of them therefore costs more than the step \
+               of generated code from one rod to the next; threads must first make up for that. All times were \
+               measured in this run, on this machine.",
+        verdicts: vec![Verdict {
+            compared: "two-ports, recursion – generated code, relative".into(),
+            figure: Some(FIGURE),
+            checks: vec![Check {
+                what: "largest difference of the ways, of the largest acceleration".into(),
+                size: largest.unwrap_or(f64::NAN),
+                unit: "",
+                bound: Bound::Tolerance,
+            }],
         }],
-        faults: Vec::new(),
     }
 }
 
-/// From which length on threads are faster.
-fn pays(timings: &[Timing], names: &[&str]) -> Exhibit {
+/// States from how many rods the largest number of threads is faster than generated code.
+fn break_even(timings: &[Timing], names: &[&str], threads: usize) -> String {
+    let parallel = SERIAL.len()..names.len();
+    let least = parallel.map(|method| faster_from(timings, method, GENERATED));
+    let least = least.filter(|rods| rods.is_finite()).min_by(f64::total_cmp);
+    match least {
+        Some(rods) => {
+            format!("{threads} threads: two-ports are faster than generated code from {rods} rods")
+        }
+        None => format!("{threads} threads: generated code is faster up to 100 000 rods"),
+    }
+}
+
+/// From how many rods threads are faster.
+fn break_even_table(timings: &[Timing], names: &[&str]) -> ResultTable {
     let against = |other: usize| {
         let columns = SERIAL.len()..names.len();
-        columns.map(|way| pays_from(timings, way, other)).collect::<Vec<_>>()
+        columns.map(|method| faster_from(timings, method, other)).collect::<Vec<_>>()
     };
     let row = |name: &str, values: Vec<f64>| Row { name: name.into(), values };
     let longest = |other: usize| {
         let timing = timings.last();
-        let gain =
-            |way: usize| timing.map_or(f64::NAN, |one| one.seconds[other] / one.seconds[way]);
+        let gain = |method: usize| {
+            timing.map_or(f64::NAN, |timing| timing.seconds[other] / timing.seconds[method])
+        };
         (SERIAL.len()..names.len()).map(gain).collect::<Vec<_>>()
     };
-    Exhibit {
+    ResultTable {
         section: SECTION,
         title: "the number of rods from which on threads are faster",
         columns: PARALLEL[..names.len() - SERIAL.len()]
@@ -207,55 +232,56 @@ fn pays(timings: &[Timing], names: &[&str]) -> Exhibit {
             .map(|(count, _)| format!("{count} threads"))
             .collect(),
         rows: vec![
-            row("than two-ports one after the other", against(ONE_BY_ONE)),
+            row("than two-ports one after the other", against(SERIAL_TWO_PORTS)),
             row("than generated code", against(GENERATED)),
-            row("how many times, longest chain, than two-ports", longest(ONE_BY_ONE)),
+            row("how many times, longest chain, than two-ports", longest(SERIAL_TWO_PORTS)),
             row("how many times, longest chain, than generated", longest(GENERATED)),
         ],
-        says: vec![
-            "A dash: not up to the longest chain. All numbers are of this run on this machine, where other",
-            "work on its cores takes from what threads gain, and of rods in a plane, which need little",
-            "arithmetic each.",
-        ],
-        differences: Vec::new(),
-        faults: Vec::new(),
+        note: "A dash: threads are not faster up to the longest chain. The last two rows are the speed-up for the \
+               longest chain. All values are those of this run on this machine, for planar rods, which need \
+               little arithmetic; other processes on its cores reduce the speed-up.",
+        verdicts: Vec::new(),
     }
 }
 
-/// The shortest chain from which on one way is always faster than the other.
-fn pays_from(timings: &[Timing], way: usize, other: usize) -> f64 {
-    let faster = |timing: &&Timing| timing.seconds[way] < timing.seconds[other];
+/// The number of rods from which a method is always faster than another one; NaN if there is none.
+fn faster_from(timings: &[Timing], method: usize, other: usize) -> f64 {
+    let faster = |timing: &&Timing| timing.seconds[method] < timing.seconds[other];
     let from = timings.iter().rev().take_while(faster).last();
     from.map_or(f64::NAN, |timing| timing.rods as f64)
 }
 
 fn figure(timings: &[Timing], names: &[&'static str]) -> LogFigure {
-    let series = |(way, label): (usize, &&'static str)| Series {
+    let series = |(method, label): (usize, &&'static str)| Series {
         label,
-        way: if way == GENERATED { Way::Method } else { Way::Rival },
-        points: timings.iter().map(|timing| timing.for_a_rod(way)).collect(),
+        style: if method == GENERATED { SeriesStyle::Line } else { SeriesStyle::Crosses },
+        points: timings.iter().map(|timing| timing.per_rod(method)).collect(),
     };
     LogFigure {
-        file_name: "parallel.svg",
-        title: "The overall product in parts: time for a rod in an evaluation of all accelerations",
-        says: "Generated code goes from rod to rod; two-ports may be joined in any grouping, so that each \
-               thread takes a part of the chain. Sharing the work out costs about a microsecond or two, \
-               more than short chains take. All were timed in this run, on this machine.",
+        file_name: FIGURE,
+        title: "The overall product in parts: time per rod for one evaluation",
+        caption: "Generated code is serial. Two-ports can be joined in any grouping, so that each thread computes \
+                  a part of the chain. Distributing the work costs one or two microseconds, more than a short \
+                  chain takes. All times were measured in this run, on this machine.",
         x: "number of rods",
-        y: "time for a rod in s",
+        y: "time per rod in s",
         series: names.iter().enumerate().map(series).collect(),
     }
 }
 
-fn without_threads(error: &ThreadPoolBuildError) -> Outcome {
-    let exhibit = Exhibit {
+fn without_threads(error: &ThreadPoolBuildError) -> SectionResult {
+    let table = ResultTable {
         section: SECTION,
         title: "not computed",
         columns: Vec::new(),
         rows: Vec::new(),
-        says: vec!["The machine gives no threads."],
-        differences: Vec::new(),
-        faults: vec![format!("no threads: {error}")],
+        note: "The threads could not be started.",
+        // Without checks: it fails.
+        verdicts: vec![Verdict {
+            compared: format!("no threads: {error}"),
+            figure: None,
+            checks: Vec::new(),
+        }],
     };
-    Outcome { exhibits: vec![exhibit], ..Outcome::default() }
+    SectionResult { tables: vec![table], ..SectionResult::default() }
 }

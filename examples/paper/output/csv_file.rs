@@ -9,7 +9,7 @@ use crate::system::{Record, System};
 /// Writes both motions of a comparison to `folder` and returns the files.
 pub fn write(folder: &Path, comparison: &Comparison) -> Result<[PathBuf; 2], Box<dyn Error>> {
     let system = &comparison.system;
-    let path = |way: &str| folder.join(format!("{}_{way}.csv", system.file_stem));
+    let path = |method: &str| folder.join(format!("{}_{method}.csv", system.file_stem));
     let [method, newton_euler] = [path("method"), path("newton_euler")];
     write_motion(&method, system, &comparison.method)?;
     write_motion(&newton_euler, system, &comparison.newton_euler)?;
@@ -22,7 +22,7 @@ fn write_motion(path: &Path, system: &System, motion: &[Record]) -> Result<(), B
     let energies = ["kinetic_energy_j", "potential_energy_j"];
     file.write_record(["time_s"].into_iter().chain(angles).chain(energies))?;
     for record in motion {
-        // Arrays and vectors are written as one field an entry, numbers so that they read back.
+        // An array is written as one field per entry; values are written with all their digits.
         file.serialize((
             record.time_s,
             &record.angles_rad,

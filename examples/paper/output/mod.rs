@@ -1,62 +1,88 @@
-//! What a run comes to, as tables in the terminal, figures, files for machines, and one page.
+//! The results of a run: a summary in the terminal, tables, figures, files, and one page.
 
+mod comparison_tables;
 mod csv_file;
 mod document;
-pub mod exhibit;
-pub mod log_plot;
+pub mod drawing;
+pub mod log_figure;
 mod output_folder;
-pub mod plot;
 pub mod progress;
 mod report;
-mod table;
+pub mod result_table;
+mod summary;
+pub mod time_figure;
 
 use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use document::Document;
 
-use crate::section::Outcome;
+use crate::section::Results;
 
-/// Writes all files of a run and returns them.
-pub fn write_files(outcome: &Outcome) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+/// The files of a run.
+pub struct Files {
+    /// The motions (CSV), the figures (SVG) and the page, which is the last one.
+    results: Vec<PathBuf>,
+    /// All tables as text.
+    tables: PathBuf,
+}
+
+/// Writes all files of a run.
+pub fn write_files(results: &Results, tolerance: f64) -> Result<Files, Box<dyn Error>> {
     let folder = output_folder::create()?;
     let mut files = Vec::new();
-    for comparison in &outcome.comparisons {
+    for comparison in results.iter().flat_map(|(_, result)| &result.comparisons) {
         files.extend(csv_file::write(&folder, comparison)?);
     }
-    for figure in &outcome.figures {
+    for figure in results.iter().flat_map(|(_, result)| &result.figures) {
         files.push(figure.write(&folder)?);
     }
-    for figure in &outcome.log_figures {
+    for figure in results.iter().flat_map(|(_, result)| &result.log_figures) {
         files.push(figure.write(&folder)?);
     }
-    files.push(report::write(&folder, outcome)?);
-    Ok(files)
+    files.push(report::write(&folder, results, tolerance)?);
+    Ok(Files { results: files, tables: write_tables(&folder, results)? })
 }
 
-/// Prints all tables, and which files were written.
-pub fn print_tables(outcome: &Outcome, files: &[PathBuf]) -> Result<(), io::Error> {
-    let mut out = io::stdout().lock();
-    for comparison in &outcome.comparisons {
-        writeln!(out, "{}", table::of(comparison))?;
-    }
-    for exhibit in &outcome.exhibits {
-        writeln!(out, "{exhibit}")?;
-    }
-    writeln!(out, "Written:")?;
-    for file in files {
-        writeln!(out, "  {}", output_folder::shown(file).display())?;
-    }
-    Ok(())
+fn write_tables(folder: &Path, results: &Results) -> Result<PathBuf, Box<dyn Error>> {
+    let path = folder.join("tables.txt");
+    fs::write(&path, all_tables(results)?)?;
+    Ok(path)
 }
 
-/// Prints all numbers as one JSON document.
+/// All tables as text, section by section.
+fn all_tables(results: &Results) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    for (_, result) in results {
+        for comparison in &result.comparisons {
+            writeln!(text, "{}", comparison_tables::text(comparison))?;
+        }
+        for table in &result.tables {
+            writeln!(text, "{table}")?;
+        }
+    }
+    Ok(text)
+}
+
+/// Prints the verdicts and the folder of the files.
+pub fn print_summary(results: &Results, files: &Files, tolerance: f64) -> Result<(), io::Error> {
+    summary::print(&mut io::stdout().lock(), results, files, tolerance)
+}
+
+/// Prints all tables.
+pub fn print_tables(results: &Results) -> Result<(), Box<dyn Error>> {
+    Ok(write!(io::stdout().lock(), "\n{}", all_tables(results)?)?)
+}
+
+/// Prints all values as one JSON document.
 pub fn print_document(
-    outcome: &Outcome,
-    files: &[PathBuf],
+    results: &Results,
+    files: &Files,
     tolerance: f64,
     complaints: &[String],
-) -> Result<(), io::Error> {
-    Document::new(outcome, files, tolerance, complaints).print()
+) -> Result<(), Box<dyn Error>> {
+    Ok(Document::new(results, &files.results, tolerance, complaints)?.print()?)
 }

@@ -1,4 +1,4 @@
-//! Where files go.
+//! The folder of the files.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
@@ -21,7 +21,7 @@ fn target_folder() -> Result<PathBuf, io::Error> {
     }
 }
 
-/// The path as it is shown: from the current folder where the file lies below it.
+/// The path for people: relative if the file is in the current folder.
 pub fn shown(path: &Path) -> PathBuf {
     let current = env::current_dir().unwrap_or_default();
     path.strip_prefix(&current).unwrap_or(path).to_owned()

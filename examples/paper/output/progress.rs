@@ -1,5 +1,5 @@
-//! Says how far the run has come: a bar on a terminal, plain lines elsewhere. All of it goes to
-//! standard error, so that standard output holds results only.
+//! The progress of a run: a bar on a terminal, one line elsewhere. It goes to standard error, so that
+//! standard output has the results only.
 
 use std::cell::Cell;
 use std::io::{IsTerminal, stderr};
@@ -8,15 +8,15 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::system::DURATION;
 
-/// How finely the bar divides a second of motion.
+/// The ticks of the bar for a second of motion.
 const TICKS_PER_SECOND: f64 = 10.0;
 
 /// The progress of several motions of equal duration, one after the other.
 pub struct Progress {
-    /// None without a terminal.
+    /// `None` without a terminal.
     bar: Option<ProgressBar>,
-    /// The ticks of all motions before the present one.
-    behind: Cell<f64>,
+    /// The ticks of all motions that are done.
+    done: Cell<f64>,
     begun: Cell<bool>,
 }
 
@@ -28,28 +28,30 @@ impl Progress {
             let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
             ProgressBar::new(ticks as u64).with_style(style)
         });
-        Progress { bar, behind: Cell::new(0.0), begun: Cell::new(false) }
+        if bar.is_none() {
+            eprintln!("computing {motions} motions and measurements …");
+        }
+        Progress { bar, done: Cell::new(0.0), begun: Cell::new(false) }
     }
 
-    /// The next motion begins.
+    /// Begins the next motion.
     pub fn begin(&self, what: &str) {
         if self.begun.replace(true) {
-            self.behind.set(self.behind.get() + ticks_per_motion());
+            self.done.set(self.done.get() + ticks_per_motion());
         }
-        match &self.bar {
-            Some(bar) => bar.set_message(what.to_owned()),
-            None => eprintln!("{what}"),
+        if let Some(bar) = &self.bar {
+            bar.set_message(what.to_owned());
         }
     }
 
-    /// The present motion has been computed up to a time in s.
+    /// Reports that the current motion has been computed up to a time in s.
     pub fn reach(&self, time: f64) {
         if let Some(bar) = &self.bar {
-            bar.set_position((self.behind.get() + time * TICKS_PER_SECOND) as u64);
+            bar.set_position((self.done.get() + time * TICKS_PER_SECOND) as u64);
         }
     }
 
-    /// All motions are done; the bar makes way for the results.
+    /// Removes the bar after the last motion.
     pub fn finish(&self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

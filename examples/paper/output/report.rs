@@ -1,4 +1,7 @@
-//! All of a run as one page that needs nothing else.
+//! All results of a run on one page, without scripts and without other files.
+
+mod numbering;
+mod style;
 
 use std::error::Error;
 use std::fs;
@@ -6,106 +9,338 @@ use std::path::{Path, PathBuf};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use self::numbering::{Entry, Numbering};
+use super::comparison_tables::{self, Grid};
+use super::result_table::{ResultTable, Row, formatted};
+use super::summary;
 use crate::compare::Comparison;
-use crate::output::exhibit::{Exhibit, Row, shown};
-use crate::output::table::{self, Grid};
-use crate::section::Outcome;
-
-const STYLE: &str = "
-    body { font: 16px/1.5 sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-    pre, table { font-size: 14px; overflow-x: auto; display: block; }
-    td, th { padding: 0.1rem 0.8rem; text-align: right; white-space: nowrap; }
-    td:first-child { text-align: left; }
-    tr:nth-child(even) { background: #f4f4f4; }
-    svg { max-width: 100%; height: auto; }
-    figure { margin: 2rem 0; }
-    figcaption { color: #444; }
-";
+use crate::section::{Measurement, Results, Section, SectionResult};
+use crate::verdict::{Check, Verdict};
 
 /// Writes the page to `folder` and returns the file.
-pub fn write(folder: &Path, outcome: &Outcome) -> Result<PathBuf, Box<dyn Error>> {
+pub fn write(folder: &Path, results: &Results, tolerance: f64) -> Result<PathBuf, Box<dyn Error>> {
     let path = folder.join("report.html");
-    fs::write(&path, page(outcome)?.into_string())?;
+    fs::write(&path, page(results, tolerance)?.into_string())?;
     Ok(path)
 }
 
-fn page(outcome: &Outcome) -> Result<Markup, Box<dyn Error>> {
-    let mut figures = Vec::new();
-    for figure in &outcome.figures {
-        figures.push((figure.svg()?, figure.says));
-    }
-    for figure in &outcome.log_figures {
-        figures.push((figure.svg()?, figure.says));
+fn page(results: &Results, tolerance: f64) -> Result<Markup, Box<dyn Error>> {
+    let mut numbering = Numbering::default();
+    let mut sections = Vec::new();
+    for (section, result) in results {
+        sections.push(of_section(*section, result, tolerance, &mut numbering)?);
     }
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
             head {
                 meta charset="utf-8";
-                title { "The examples of the paper" }
-                style { (PreEscaped(STYLE)) }
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { "Transfer matrix method: examples and claims, computed again" }
+                style { (PreEscaped(style::STYLE)) }
             }
             body {
-                h1 { "The examples of the paper" }
-                p {
-                    "X. Rui, D. Bestle, J. Zhang, Q. Zhou, "
-                    em { "A new version of transfer matrix method for multibody systems" }
-                    ", Multibody System Dynamics 38 (2016), computed by the code that "
-                    code { "mstmm_chain!" }
-                    " generates, and in the same run by the ways that it is compared with."
-                }
-                h2 { "Figures" }
-                @for (svg, says) in &figures {
-                    figure { (PreEscaped(svg)) figcaption { (says) } }
-                }
-                h2 { "Tables" }
-                @for exhibit in &outcome.exhibits { (of_exhibit(exhibit)) }
-                @for comparison in &outcome.comparisons { (of_comparison(comparison)) }
+                (introduction())
+                (verdicts(results, tolerance, &numbering))
+                (mechanisms(results))
+                (contents(results, &numbering))
+                @for section in &sections { (section) }
             }
         }
     })
 }
 
-fn of_comparison(comparison: &Comparison) -> Markup {
+fn introduction() -> Markup {
     html! {
-        h3 { (table::title(comparison)) }
-        p { (table::method(comparison)) "." }
-        @for Grid { title, says, columns, rows } in table::grids(comparison) {
-            h4 { (title) }
-            table {
-                tr { @for column in columns { th { (column) } } }
-                @for row in rows {
-                    tr { @for cell in row { td { (cell) } } }
-                }
-            }
-            p { (says) }
+        h1 { "A new version of transfer matrix method for multibody systems: examples and claims, computed again" }
+        p {
+            "The paper: X. Rui, D. Bestle, J. Zhang, Q. Zhou, "
+            em { "A new version of transfer matrix method for multibody systems" }
+            ", Multibody System Dynamics 38 (2016). The code that "
+            code { "mstmm_chain!" }
+            " generates computes its examples (sections 4.1 to 4.4) and its claims. In the same run, each result \
+             is compared with an independent solution."
         }
-        ul {
-            @for (what, value) in table::summary(comparison) {
-                li { (what) ": " (value) }
+    }
+}
+
+/// The verdicts as a table, with links to figures.
+fn verdicts(results: &Results, tolerance: f64, numbering: &Numbering) -> Markup {
+    let all = || results.iter().flat_map(|(_, result)| SectionResult::verdicts(result));
+    let passed = all().filter(|verdict| verdict.passes(tolerance)).count();
+    let link = |figure: Option<&str>| {
+        let entry = figure.and_then(|file_name| numbering.figure(file_name));
+        html! {
+            @if let Some(Entry { id, label, .. }) = entry { a href={ "#" (id) } { (label) } }
+        }
+    };
+    html! {
+        h2 id="verdicts" { "Verdicts" }
+        p {
+            strong { (passed) " of " (all().count()) " verdicts passed." }
+            " A verdict passes if each of its differences is at most its bound. The table shows the difference \
+             that is nearest to its bound."
+        }
+        div.scroll {
+            table.verdicts {
+                thead {
+                    tr {
+                        th { "Compared" } th { "Largest difference" } th { "Bound" } th { "Verdict" } th { "Figure" }
+                    }
+                }
+                @for (section, result) in results {
+                    tbody {
+                        tr.section {
+                            th colspan="5" {
+                                a href={ "#" (anchor(*section)) } { (heading(*section)) }
+                            }
+                        }
+                        @for verdict in result.verdicts() {
+                            tr {
+                                td { (verdict.compared) }
+                                @match verdict.decisive(tolerance) {
+                                    Some(check) => {
+                                        td.number { (size(check)) }
+                                        td.number.bound { (number(check.bound.value(tolerance))) }
+                                    }
+                                    None => { td {} td {} }
+                                }
+                                td { (badge(verdict.passes(tolerance))) }
+                                td { (link(verdict.figure)) }
+                            }
+                        }
+                        @for Measurement { text, figure } in &result.measurements {
+                            tr {
+                                td colspan="3" { (text) }
+                                td { span.measured { "measured" } }
+                                td { (link(*figure)) }
+                            }
+                        }
+                    }
+                }
             }
         }
     }
 }
 
-fn of_exhibit(exhibit: &Exhibit) -> Markup {
+fn badge(passes: bool) -> Markup {
+    match passes {
+        true => html! { span.passed { "passed" } },
+        false => html! { span.failed { "FAILED" } },
+    }
+}
+
+/// A drawing of each mechanism of the computed sections.
+fn mechanisms(results: &Results) -> Markup {
+    let drawings = results
+        .iter()
+        .flat_map(|(section, result)| result.drawings.iter().map(|drawing| (*section, drawing)));
     html! {
-        h3 { (exhibit.section) ": " (exhibit.title) }
-        table {
-            tr {
-                th {}
-                @for column in &exhibit.columns { th { (column) } }
-            }
-            @for Row { name, values } in &exhibit.rows {
-                tr {
-                    td { (name) }
-                    @for value in values { td { (shown(*value)) } }
+        h2 id="mechanisms" { "Mechanisms" }
+        p { "Each mechanism in its starting position, to scale: x to the right, y upwards, z towards the reader, unless \
+             the drawing shows other axes. Dots are centres of mass." }
+        div.drawings {
+            @for (section, drawing) in drawings {
+                figure {
+                    (PreEscaped(&drawing.svg))
+                    figcaption {
+                        strong { a href={ "#" (anchor(section)) } { (drawing.title) } ". " }
+                        (drawing.caption)
+                    }
                 }
             }
         }
-        @for difference in &exhibit.differences {
-            p { (difference.what) ": " (format!("{:.1e}", difference.size)) " " (difference.unit) }
-        }
-        p { (exhibit.says.join(" ")) }
     }
+}
+
+fn contents(results: &Results, numbering: &Numbering) -> Markup {
+    html! {
+        nav {
+            h2 { "Contents" }
+            ol {
+                @for (section, _) in results {
+                    li {
+                        a href={ "#" (anchor(*section)) } { (heading(*section)) }
+                        ul {
+                            @for Entry { id, label, title, .. } in numbering.of_section(*section) {
+                                li { a href={ "#" (id) } { (label) } ": " (capitalised(title)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn of_section(
+    section: Section,
+    result: &SectionResult,
+    tolerance: f64,
+    numbering: &mut Numbering,
+) -> Result<Markup, Box<dyn Error>> {
+    let mut figures = Vec::new();
+    for figure in &result.figures {
+        let entry = numbering.add_figure(section, figure.file_name, figure.title);
+        figures.push(of_figure(entry, &figure.svg()?, figure.title, figure.caption));
+    }
+    for figure in &result.log_figures {
+        let entry = numbering.add_figure(section, figure.file_name, figure.title);
+        figures.push(of_figure(entry, &figure.svg()?, figure.title, figure.caption));
+    }
+    Ok(html! {
+        section id=(anchor(section)) {
+            h2 { (heading(section)) }
+            p { (section.about()) }
+            @for figure in figures { (figure) }
+            @for comparison in &result.comparisons {
+                (of_comparison(section, comparison, tolerance, numbering))
+            }
+            @for table in &result.tables { (of_table(section, table, tolerance, numbering)) }
+            p.top { a href="#verdicts" { "Back to the verdicts" } }
+        }
+    })
+}
+
+/// A figure in the colours of the page.
+fn of_figure(entry: &Entry, svg: &str, title: &str, caption: &str) -> Markup {
+    let svg = svg.replace("#000000", "currentColor").replace("#FFFFFF", "var(--page)").replacen(
+        "<svg ",
+        &format!("<svg role=\"img\" aria-label=\"{title}\" "),
+        1,
+    );
+    html! {
+        figure id=(entry.id) {
+            div.scroll.plot { (PreEscaped(svg)) }
+            figcaption { strong { (entry.label) ". " } (title) ". " (caption) }
+        }
+    }
+}
+
+fn of_comparison(
+    section: Section,
+    comparison: &Comparison,
+    tolerance: f64,
+    numbering: &mut Numbering,
+) -> Markup {
+    html! {
+        h3 { (comparison.system.label) ": " (comparison.system.title) }
+        p { (comparison_tables::method(comparison)) "." }
+        @for Grid { title, note, columns, rows } in comparison_tables::grids(comparison) {
+            @let entry = numbering.add_table(section, &format!("{} ({})", title, comparison.system.label));
+            figure id=(entry.id) {
+                figcaption { strong { (entry.label) ". " } (title) ". " (note) }
+                div.scroll {
+                    table {
+                        thead { tr { @for column in columns { th { (column) } } } }
+                        tbody {
+                            @for row in rows { tr { @for cell in row { td.number { (minus(&cell)) } } } }
+                        }
+                    }
+                }
+            }
+        }
+        ul {
+            @for (what, value) in comparison_tables::summary(comparison) {
+                li { (what) ": " (value) }
+            }
+        }
+        (checks(&comparison.verdicts, tolerance))
+    }
+}
+
+fn of_table(
+    section: Section,
+    table: &ResultTable,
+    tolerance: f64,
+    numbering: &mut Numbering,
+) -> Markup {
+    let entry = numbering.add_table(section, table.title);
+    html! {
+        figure id=(entry.id) {
+            figcaption { strong { (entry.label) ". " } (capitalised(table.title)) ". " (table.note) }
+            div.scroll {
+                table {
+                    thead {
+                        tr {
+                            th {}
+                            @for column in &table.columns { th { (column) } }
+                        }
+                    }
+                    tbody {
+                        @for Row { name, values } in &table.rows {
+                            tr {
+                                th { (name) }
+                                @for &value in values { td.number { (scientific(&formatted(value))) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        (checks(&table.verdicts, tolerance))
+    }
+}
+
+/// The checks of some verdicts, folded if there are many.
+fn checks(verdicts: &[Verdict], tolerance: f64) -> Markup {
+    let checks = || verdicts.iter().flat_map(|verdict| &verdict.checks);
+    let passed = checks().filter(|check| check.passes(tolerance)).count();
+    html! {
+        @if checks().next().is_some() {
+            details {
+                summary { (passed) " of " (checks().count()) " checks passed" }
+                ul {
+                    @for check in checks() {
+                        li {
+                            (check.what) ": " (size(check)) ", bound " (number(check.bound.value(tolerance))) " – "
+                            (badge(check.passes(tolerance)))
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn size(check: &Check) -> Markup {
+    html! { (number(check.size)) @if !check.unit.is_empty() { " " (check.unit) } }
+}
+
+fn number(value: f64) -> Markup {
+    scientific(&summary::number(value))
+}
+
+/// Sets a number with an exponent as in print: 1.2·10⁻⁸.
+fn scientific(text: &str) -> Markup {
+    match text.split_once(['e', 'E']) {
+        Some((digits, "0")) => html! { (minus(digits)) },
+        Some((digits, exponent)) => html! { (minus(digits)) "·10" sup { (minus(exponent)) } },
+        None => html! { (minus(text)) },
+    }
+}
+
+/// Sets minus signs as in print.
+fn minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
+}
+
+/// The heading of a section: the number in the paper and the title.
+fn heading(section: Section) -> String {
+    let (label, title) = (section.label(), section.title());
+    match section.is_claim() {
+        true => title.to_owned(),
+        false => format!("Section {label}: {title}"),
+    }
+}
+
+fn anchor(section: Section) -> String {
+    format!("section-{}", section.label().replace('.', "-"))
 }

@@ -1,7 +1,7 @@
-//! A four-bar by its one equation of motion, `J θ̈ + ½ J′ θ̇² + V′ = 0`, where θ is the angle of its
-//! crank, J the sum of all inertias reduced to it, and V the potential energy; a dash is a derivative
-//! by θ (Eksergian, J. Franklin Inst. 209, 1930). The bars are placed by intersecting two circles. No
-//! hinge and no internal force is in it, but these follow from the bars' accelerations.
+//! A four-bar by its one equation of motion, `J θ̈ + ½ J′ θ̇² + V′ = 0`, where θ is the crank angle, J the
+//! sum of all inertias reduced to the crank, and V the potential energy; a prime is a derivative with
+//! respect to θ (Eksergian, J. Franklin Inst. 209, 1930). The bars are placed by intersecting two circles.
+//! The equation has no hinges and no internal forces; the forces follow from the bars' accelerations.
 
 use std::ops::Add;
 
@@ -9,42 +9,42 @@ use nalgebra::{Matrix2, Vector2};
 
 type Vector = Vector2<f64>;
 
-/// A bar, with its frame at the end that the chain comes from.
+/// A bar. Its frame is at its inboard end.
 pub struct Bar {
     pub length: f64,
     pub mass: f64,
     pub com: [f64; 2],
-    /// About the centre of mass.
+    /// About the centre of mass in kg m².
     pub inertia: f64,
 }
 
-/// Crank, coupler and rocker between the origin and a point on the x axis, the coupler's far end to the
-/// left of the line from the crank's end to that point, seen from the crank.
+/// Crank, coupler and rocker between the origin and a point on the x axis. Seen from the crank, the far
+/// end of the coupler is on the left of the line from the crank's end to that point.
 pub struct FourBar {
     pub bars: [Bar; 3],
-    /// From pin to pin on the ground.
+    /// The distance between the pins on the ground in m.
     pub base: f64,
     pub gravity: f64,
 }
 
-/// A number or vector with its first two derivatives by the crank's angle.
+/// A scalar or vector with its first two derivatives with respect to the crank angle.
 #[derive(Clone, Copy)]
-struct Course<V> {
+struct Derivatives<V> {
     value: V,
     first: V,
     second: V,
 }
 
-/// The four-bar at an angle of its crank.
+/// The four-bar at a crank angle.
 struct Pose {
     /// Absolute angles of the bars.
-    angles: [Course<f64>; 3],
-    centres: [Course<Vector>; 3],
+    angles: [Derivatives<f64>; 3],
+    centres: [Derivatives<Vector>; 3],
 }
 
 /// A motion at one time.
 pub struct Instant {
-    /// Absolute angles of the bars in rad, between −π and π but for the crank's.
+    /// Absolute angles of the bars in rad, between −π and π except the crank's.
     pub angles: [f64; 3],
     /// In rad/s².
     pub accelerations: [f64; 3],
@@ -78,7 +78,7 @@ impl FourBar {
         after(h, mean)
     }
 
-    /// All that is compared.
+    /// Returns the quantities that are compared.
     pub fn at(&self, [angle, rate]: [f64; 2]) -> Instant {
         let pose = self.pose(angle);
         let crank = self.acceleration(angle, rate);
@@ -99,10 +99,10 @@ impl FourBar {
         let along = (across.norm_squared() + coupler.length.powi(2) - rocker.length.powi(2))
             / (2.0 * across.norm_squared());
         let aside = (coupler.length.powi(2) / across.norm_squared() - along * along).sqrt();
-        let far = joint + across * along + turned(across) * aside;
-        let angle_of = |way: Vector| way.y.atan2(way.x);
+        let far = joint + across * along + perpendicular(across) * aside;
+        let angle_of = |arm: Vector| arm.y.atan2(arm.x);
         let values = [angle, angle_of(far - joint), angle_of(base - far)];
-        let angles = self.courses(values);
+        let angles = self.angle_derivatives(values);
         let crank_end = arm([crank.length, 0.0], angles[0]);
         let coupler_end = arm([coupler.length, 0.0], angles[1]);
         let centres = [
@@ -113,33 +113,33 @@ impl FourBar {
         Pose { angles, centres }
     }
 
-    /// The derivatives of the angles, from those of the closed way `Σ lᵢ e(φᵢ) = base`: its first
-    /// derivative `Σ lᵢ φᵢ′ e⊥ᵢ = 0` and its second one `Σ lᵢ (φᵢ″ e⊥ᵢ − φᵢ′² eᵢ) = 0`.
-    fn courses(&self, values: [f64; 3]) -> [Course<f64>; 3] {
+    /// The derivatives of the angles, from the derivatives of the loop equation `Σ lᵢ e(φᵢ) = base`:
+    /// `Σ lᵢ φᵢ′ e⊥ᵢ = 0` and `Σ lᵢ (φᵢ″ e⊥ᵢ − φᵢ′² eᵢ) = 0`.
+    fn angle_derivatives(&self, values: [f64; 3]) -> [Derivatives<f64>; 3] {
         let [crank, coupler, rocker] =
             [0, 1, 2].map(|k| direction(values[k]) * self.bars[k].length);
-        let (left, right) = (turned(coupler), turned(rocker));
-        // The numbers with u left + v right = sum.
+        let (left, right) = (perpendicular(coupler), perpendicular(rocker));
+        // The factors u and v with u left + v right = sum.
         let parts = |sum: Vector| {
             [cross(sum, right), cross(left, sum)].map(|part| part / cross(left, right))
         };
-        let [u, v] = parts(-turned(crank));
+        let [u, v] = parts(-perpendicular(crank));
         let [a, b] = parts(crank + coupler * (u * u) + rocker * (v * v));
         let derivatives = [(1.0, 0.0), (u, a), (v, b)];
-        [0, 1, 2].map(|k| Course {
+        [0, 1, 2].map(|k| Derivatives {
             value: values[k],
             first: derivatives[k].0,
             second: derivatives[k].1,
         })
     }
 
-    /// Where the rocker is held.
+    /// The position of the rocker's pin on the ground.
     fn base(&self) -> Vector {
         Vector::new(self.base, 0.0)
     }
 
-    /// Newton's and Euler's equations of rocker and coupler: moments about the ends that each of them
-    /// has alone give the force between them.
+    /// The force of the ground on the rocker. The moments of rocker and coupler about their other ends
+    /// give the force between them.
     fn force(&self, pose: &Pose, turns: [f64; 3], centres: [Vector; 3]) -> Vector {
         let [crank, coupler, _] = &self.bars;
         let joint = direction(pose.angles[0].value) * crank.length;
@@ -158,11 +158,11 @@ impl FourBar {
     }
 }
 
-impl Add for Course<Vector> {
+impl Add for Derivatives<Vector> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Course {
+        Derivatives {
             value: self.value + other.value,
             first: self.first + other.first,
             second: self.second + other.second,
@@ -170,14 +170,14 @@ impl Add for Course<Vector> {
     }
 }
 
-/// A vector fixed in a bar that turns.
-fn arm([x, y]: [f64; 2], turn: Course<f64>) -> Course<Vector> {
+/// A vector fixed in a rotating bar.
+fn arm([x, y]: [f64; 2], turn: Derivatives<f64>) -> Derivatives<Vector> {
     let along = direction(turn.value);
-    let value = along * x + turned(along) * y;
-    Course {
+    let value = along * x + perpendicular(along) * y;
+    Derivatives {
         value,
-        first: turned(value) * turn.first,
-        second: turned(value) * turn.second - value * turn.first.powi(2),
+        first: perpendicular(value) * turn.first,
+        second: perpendicular(value) * turn.second - value * turn.first.powi(2),
     }
 }
 
@@ -185,8 +185,8 @@ fn direction(angle: f64) -> Vector {
     Vector::new(angle.cos(), angle.sin())
 }
 
-/// Turned to the left by a right angle.
-fn turned(vector: Vector) -> Vector {
+/// The vector rotated by +90°.
+fn perpendicular(vector: Vector) -> Vector {
     Vector::new(-vector.y, vector.x)
 }
 

@@ -1,25 +1,26 @@
-//! The five integrators of the library, each as a number of equal steps.
+//! The five integrators of the library with equal steps.
 
 use mstmm::Error;
 use mstmm::prelude::*;
 
-use super::{Cubes, CubesState, END, apart};
+use super::{Cubes, CubesState, END, difference};
 
-/// An integrator, and what it promises.
+/// An integrator and its order of convergence.
 pub struct Method {
     pub name: &'static str,
     pub order: f64,
     steps: Steps,
 }
 
-/// Takes a state over so many steps to the end and returns how often accelerations were computed.
+/// Integrates a state to the end in a number of steps. Returns the number of evaluations of the
+/// accelerations.
 type Steps = fn(&Cubes<f64>, &mut CubesState<f64>, u32) -> Result<u64, Error>;
 
-/// What became of a run.
+/// The result of a run.
 #[derive(Clone, Copy)]
 pub struct Run {
     pub step: f64,
-    /// In rad and rad/s; not a number where the motion grew beyond all bounds.
+    /// In rad and rad/s; NaN if the motion diverged.
     pub error: f64,
     pub evaluations: f64,
 }
@@ -49,7 +50,7 @@ pub const ALL: [Method; 5] = [
     },
 ];
 
-/// It chooses its own steps, unless its shortest and its longest one are the same and any error passes.
+/// Its steps are equal if the shortest and the longest step are the same and any error is accepted.
 fn dormand_prince(
     chain: &Cubes<f64>,
     state: &mut CubesState<f64>,
@@ -64,13 +65,13 @@ fn dormand_prince(
 }
 
 impl Method {
-    /// Runs with 2 to the power of `exponent` steps.
+    /// Runs the integrator with 2 to the power of `exponent` steps.
     pub fn run(&self, chain: &Cubes<f64>, exact: &CubesState<f64>, exponent: u32) -> Run {
         let mut state = chain.initial_state();
         let count = 1 << exponent;
-        // A motion that grows beyond all bounds ends in one error or another.
+        // A motion that diverges ends with an error.
         let (evaluations, error) = match (self.steps)(chain, &mut state, count) {
-            Ok(evaluations) => (evaluations as f64, apart(&state, exact)),
+            Ok(evaluations) => (evaluations as f64, difference(&state, exact)),
             Err(_) => (f64::NAN, f64::NAN),
         };
         Run { step: END / f64::from(count), error, evaluations }

@@ -1,25 +1,28 @@
-//! How far accelerations are off against the number of bodies: by the product of the paper's matrices
-//! and by both methods of generated code, in double and in single precision.
+//! The relative error of all accelerations against the number of bodies: by the product of the paper's
+//! matrices and by both methods of generated code, in double and in single precision.
 
 use mstmm::prelude::*;
 use mstmm::{Error, Scalar};
 use nalgebra::Vector3;
 
 use super::DIGITS;
-use super::measure::{Cubes, accelerations, apart, bound, error};
+use super::errors::{Cubes, accelerations, apart, bound, error};
 use super::pose::Pose;
 use super::product::Product;
-use super::truth;
-use crate::output::exhibit::{Exhibit, Row};
-use crate::output::log_plot::{LogFigure, Series, Way};
+use super::reference;
+use crate::output::log_figure::{LogFigure, Series, SeriesStyle};
 use crate::output::progress::Progress;
-use crate::section::Outcome;
+use crate::output::result_table::{ResultTable, Row};
+use crate::section::{Measurement, SectionResult};
+use crate::verdict::{Bound, Check, Verdict};
 
-/// States of each length, of which the worst one counts.
+/// The number of states of each length. The largest error counts.
 const SEEDS: u64 = 3;
 
-/// The first two are the paper's, the others generated code.
-const WAYS: [&str; 6] = [
+const FIGURE: &str = "accuracy.svg";
+
+/// The first two are the product of the paper's matrices, the others generated code.
+const METHODS: [&str; 6] = [
     "product as printed, f64",
     "product as printed, f32",
     "transfer, f64",
@@ -27,24 +30,26 @@ const WAYS: [&str; 6] = [
     "riccati, f64",
     "riccati, f32",
 ];
-/// The units in the last place of one, of both precisions.
+/// The first of [`METHODS`] that is generated code.
+const FIRST_GENERATED: usize = 2;
+/// The largest change of the reference, far below every measured error.
+const REFERENCE_BOUND: f64 = 1e-30;
+/// The machine epsilon of double and single precision.
 const UNITS: [f64; 2] = [f64::EPSILON, f32::EPSILON as f64];
 
-const SAYS: [&str; 7] = [
-    "The product of the printed matrices loses nearly a digit for each body: in double precision",
-    "none is left from 20 bodies on, in single precision from 10 on (1 and more: lost; –: not even a",
-    "number). Generated code keeps 13 of 16 digits, and about 5 of 7, at every length, by both methods.",
-    "It gets the hinges' coordinates rounded to its precision and has to compute poses and velocities,",
-    "which the product is given. Its bound is the rounding of all operations of an evaluation, 1240 a",
-    "body, as if each came out whole. The reference solves Newton's and Euler's equations of all bodies,",
-    "written for it alone, in 160 binary digits; with 320 it changes as the last row says.",
-];
+const NOTE: &str = "The product of the printed matrices loses nearly one digit per body: no digit is left from 20 bodies \
+    in double precision and from 10 bodies in single precision (1 or more: all digits lost; –: not finite). \
+    Both methods of generated code keep 13 of 16 digits in double and about 5 of 7 in single precision at every \
+    length, although they compute poses and velocities from rounded coordinates, and the product is given \
+    poses and velocities. The bound is the sum of the rounding errors of all operations, 1240 per body. The \
+    reference solves the Newton–Euler equations of all bodies, in a separate program text, with 160 binary \
+    digits; the last row is its change with 320 digits.";
 
 /// The errors of chains of a length.
 struct Length {
     count: usize,
-    errors: [f64; WAYS.len()],
-    /// How far the reference is from one with twice the digits.
+    errors: [f64; METHODS.len()],
+    /// The change of the reference with twice the digits.
     of_reference: f64,
 }
 
@@ -77,7 +82,7 @@ macro_rules! cubes {
     };
 }
 
-/// The errors of one length, by all ways, in poses as a function makes them of length and seed.
+/// The errors of all methods for one length, in the poses that a function of length and seed gives.
 macro_rules! length {
     ($what:literal $count:tt $pose:ident $transfer:ident $riccati:ident $progress:ident) => {{
         $progress.begin(concat!("limits: ", $count, " ", $what));
@@ -115,7 +120,7 @@ macro_rules! chains {
             ),*])
         }
 
-        /// How many parts the progress counts.
+        /// The number of parts that the progress bar counts.
         pub const MOTIONS: usize = 2 * [$($count),*].len();
     };
 }
@@ -141,104 +146,130 @@ fn on_pins(count: usize, seed: u64) -> Pose {
     Pose::of_pins(vec![[0.0, 0.0, 1.0]; count], seed)
 }
 
-pub fn run(progress: &Progress) -> Result<Outcome, Error> {
+pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
     let (balls, pins) = (of_balls(progress)?, of_pins(progress)?);
     let figure = figure(&balls);
-    let exhibits = vec![
-        exhibit("relative error of all accelerations, cubes on balls", &balls, SAYS.into()),
-        exhibit(
+    let tables = vec![
+        table(
+            "relative error of all accelerations, cubes on balls",
+            &balls,
+            NOTE,
+            "cubes on balls",
+        ),
+        table(
             "relative error of all accelerations, cubes on parallel pins",
             &pins,
-            vec![
-                "Pins about one axis, which move in a plane, lose a little less, and in the same way.",
-            ],
+            "With parallel pins, where the motion is planar, the product loses slightly less.",
+            "cubes on pins",
         ),
     ];
-    Ok(Outcome { exhibits, log_figures: vec![figure], ..Outcome::default() })
+    let measurements = vec![Measurement { text: lost_digits(&balls), figure: Some(FIGURE) }];
+    Ok(SectionResult {
+        tables,
+        log_figures: vec![figure],
+        measurements,
+        ..SectionResult::default()
+    })
+}
+
+/// States from how many bodies the product of the printed matrices has no correct digit.
+fn lost_digits(lengths: &[Length]) -> String {
+    let from = |method: usize| {
+        let lost = |error: f64| error.is_nan() || error >= 1.0;
+        let lost = lengths.iter().find(|length| lost(length.errors[method]));
+        lost.map_or("more than 100".to_owned(), |length| length.count.to_string())
+    };
+    format!(
+        "the printed product has no correct digit from {} balls (f64), {} (f32)",
+        from(0),
+        from(1)
+    )
 }
 
 /// The largest errors over all states of a length.
 fn worst(
     count: usize,
     pose: impl Fn(usize, u64) -> Pose,
-    ways: impl Fn(&Pose) -> Result<[Vec<f64>; WAYS.len()], Error>,
+    methods: impl Fn(&Pose) -> Result<[Vec<f64>; METHODS.len()], Error>,
 ) -> Result<Length, Error> {
-    // In the order of `total_cmp` not a number is the worst of all.
+    // In the order of `total_cmp`, NaN is the largest.
     let worse = |a: f64, b: f64| if a.total_cmp(&b).is_lt() { b } else { a };
-    let mut worst = Length { count, errors: [0.0; WAYS.len()], of_reference: 0.0 };
+    let mut worst = Length { count, errors: [0.0; METHODS.len()], of_reference: 0.0 };
     for seed in 0..SEEDS {
         let pose = pose(count, seed);
-        let truth = truth::accelerations(&pose, DIGITS)?;
-        let better = truth::accelerations(&pose, 2 * DIGITS)?;
+        let truth = reference::accelerations(&pose, DIGITS)?;
+        let better = reference::accelerations(&pose, 2 * DIGITS)?;
         worst.of_reference = worse(worst.of_reference, apart(&truth, &better));
-        for (largest, found) in worst.errors.iter_mut().zip(ways(&pose)?) {
+        for (largest, found) in worst.errors.iter_mut().zip(methods(&pose)?) {
             *largest = worse(*largest, error(&found, &truth));
         }
     }
     Ok(worst)
 }
 
-fn exhibit(title: &'static str, lengths: &[Length], says: Vec<&'static str>) -> Exhibit {
+fn table(
+    title: &'static str,
+    lengths: &[Length],
+    note: &'static str,
+    chains: &'static str,
+) -> ResultTable {
     let row = |name: &str, value: &dyn Fn(&Length) -> f64| Row {
         name: name.to_owned(),
         values: lengths.iter().map(value).collect(),
     };
     let mut rows: Vec<Row> =
-        (0..WAYS.len()).map(|way| row(WAYS[way], &|length| length.errors[way])).collect();
+        METHODS.iter().enumerate().map(|(k, name)| row(name, &|length| length.errors[k])).collect();
     rows.push(row("bound for generated code, f64", &|length| bound(length.count, UNITS[0])));
     rows.push(row("bound for generated code, f32", &|length| bound(length.count, UNITS[1])));
     rows.push(row("reference, 160 to 320 binary digits", &|length| length.of_reference));
-    Exhibit {
+    ResultTable {
         section: "Limits",
         title,
         columns: lengths.iter().map(|length| format!("n = {}", length.count)).collect(),
         rows,
-        says,
-        differences: Vec::new(),
-        faults: faults(title, lengths),
+        note,
+        verdicts: vec![verdict(chains, lengths)],
     }
 }
 
-/// What does not come out as it must.
-fn faults(title: &str, lengths: &[Length]) -> Vec<String> {
-    let mut faults = Vec::new();
-    for Length { count, errors, of_reference } in lengths {
-        for way in 2..WAYS.len() {
-            let (error, bound) = (errors[way], bound(*count, UNITS[way % 2]));
-            // Written so that what is not a number is a fault too.
-            let holds = error <= bound;
-            if !holds {
-                faults.push(format!(
-                    "{title}: {}, n = {count}, is {error:.1e}, more than {bound:.1e}",
-                    WAYS[way]
-                ));
-            }
-        }
-        // Far below what any way is measured to.
-        let holds = *of_reference <= 1e-30;
-        if !holds {
-            faults.push(format!("{title}: the reference, n = {count}, is {of_reference:.1e} off"));
-        }
+/// Compares every error of generated code with its bound, and the reference with one of twice the digits.
+fn verdict(chains: &str, lengths: &[Length]) -> Verdict {
+    let check = |what: String, size: f64, bound: f64| {
+        let unit = "";
+        Check { what, size, unit, bound: Bound::Fixed(bound) }
+    };
+    let checks = lengths.iter().flat_map(|Length { count, errors, of_reference }| {
+        let methods = (FIRST_GENERATED..METHODS.len()).map(move |method| {
+            let what = format!("{}, n = {count}", METHODS[method]);
+            check(what, errors[method], bound(*count, UNITS[method % 2]))
+        });
+        let reference = format!("change of the reference with twice the digits, n = {count}");
+        methods.chain([check(reference, *of_reference, REFERENCE_BOUND)])
+    });
+    Verdict {
+        compared: format!("{chains}: code – 160 digits, relative"),
+        figure: Some(FIGURE),
+        checks: checks.collect(),
     }
-    faults
 }
 
 fn figure(lengths: &[Length]) -> LogFigure {
-    // Above one, or where something is not a number, there is no digit left.
-    let point = |way: usize, length: &Length| (length.count as f64, length.errors[way].min(1.0));
-    let series = |(way, label): (usize, &&'static str)| Series {
+    // An error of one or more, or NaN: no digit is correct.
+    let point =
+        |method: usize, length: &Length| (length.count as f64, length.errors[method].min(1.0));
+    let series = |(method, label): (usize, &&'static str)| Series {
         label,
-        way: if way < 2 { Way::Rival } else { Way::Method },
-        points: lengths.iter().map(|length| point(way, length)).collect(),
+        style: if method < FIRST_GENERATED { SeriesStyle::Crosses } else { SeriesStyle::Line },
+        points: lengths.iter().map(|length| point(method, length)).collect(),
     };
     LogFigure {
-        file_name: "accuracy.svg",
+        file_name: FIGURE,
         title: "Relative error of all accelerations, cubes on balls",
-        says: "Crosses are the product of the paper's matrices as they are printed, which loses nearly a \
-               digit for each body; at 1 all are lost, and the error may be larger than that. Lines are \
-               generated code: neither method loses accuracy with length.",
+        caption: "Crosses: the product of the paper's matrices as printed, which loses nearly one digit per \
+                  body. An error of 1 (drawn also for larger errors) means that no digit is correct. Lines: \
+                  generated code, whose accuracy does not depend on length.",
         x: "number of bodies",
         y: "relative error; 1: all digits are lost",
-        series: WAYS.iter().enumerate().map(series).collect(),
+        series: METHODS.iter().enumerate().map(series).collect(),
     }
 }

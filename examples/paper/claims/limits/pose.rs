@@ -1,38 +1,38 @@
-//! Chains of the paper's cubes in states that are known exactly, and what each way is given of them.
+//! Chains of the paper's cubes in exactly known states, and these states for each method.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use mstmm_reference::Random;
 use nalgebra::{Matrix3, Vector3};
 
-/// A binary number of as many digits as the numbers that it is computed from.
+/// A binary number with the number of digits of its operands.
 pub type Real = FBig<HalfEven>;
 
-/// How a hinge is turned and turns. All numbers are exact, so that no rounding enters before a way
-/// takes them over into its own precision.
+/// The coordinates and rates of a hinge. All values are exact: the only rounding is that to the precision
+/// of each method.
 pub enum Joint {
-    /// The quaternion w, x, y, z, of any length, turns outboard components into inboard ones; the rate
-    /// is that of the outboard side in rad/s, outboard axes.
+    /// The quaternion w, x, y, z, of any length, transforms outboard components to inboard ones. The rate is
+    /// that of the outboard side in rad/s, in outboard axes.
     Ball { quaternion: [f64; 4], rate: [f64; 3] },
-    /// About an axis of any length, with the tangent of half the angle and the rate in rad/s for an
-    /// axis of length one.
+    /// A pin about an axis of any length, with the tangent of half the angle and the rate in rad/s, both for
+    /// an axis of length one.
     Pin { axis: [f64; 3], tangent: f64, rate: f64 },
 }
 
-/// A state of a chain of cubes that hangs on the ground, a hinge for each cube.
+/// A state of a chain of cubes on the ground, with one hinge per cube.
 pub struct Pose {
     pub joints: Vec<Joint>,
 }
 
-/// How a cube is turned and turns, inertial frame.
+/// The orientation and the angular velocity of a cube in the inertial frame.
 pub struct Placed {
     pub rotation: Matrix3<Real>,
-    pub spin: Vector3<Real>,
+    pub angular_velocity: Vector3<Real>,
 }
 
-/// The number itself, to so many binary digits from here on.
+/// The value itself, as a number with this precision in binary digits.
 pub fn exact(value: f64, digits: usize) -> Real {
-    // Only what is not finite cannot be converted, and nothing here is.
+    // Only values that are not finite cannot be converted, and all values here are finite.
     Real::try_from(value).unwrap_or_default().with_precision(digits).value()
 }
 
@@ -41,7 +41,7 @@ pub fn exact_vector(vector: &[f64; 3], digits: usize) -> Vector3<Real> {
 }
 
 impl Pose {
-    /// Cubes on balls, anyhow.
+    /// A random state of cubes on balls.
     pub fn of_balls(count: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let joint = |_| Joint::Ball {
@@ -51,7 +51,7 @@ impl Pose {
         Pose { joints: (0..count).map(joint).collect() }
     }
 
-    /// Cubes on pins about these axes, anyhow.
+    /// A random state of cubes on pins about these axes.
     pub fn of_pins(axes: impl IntoIterator<Item = [f64; 3]>, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let joint = |axis| Joint::Pin {
@@ -62,7 +62,7 @@ impl Pose {
         Pose { joints: axes.into_iter().map(joint).collect() }
     }
 
-    /// Coordinates of all hinges, and their rates, as generated code takes them.
+    /// The coordinates of all hinges and their rates for generated code.
     pub fn coordinates(&self) -> (Vec<f64>, Vec<f64>) {
         let (mut q, mut v) = (Vec::new(), Vec::new());
         for joint in &self.joints {
@@ -82,20 +82,20 @@ impl Pose {
         (q, v)
     }
 
-    /// The motion of every cube to so many binary digits.
+    /// The motion of every cube with this precision in binary digits.
     pub fn placed(&self, digits: usize) -> Vec<Placed> {
-        let (mut rotation, mut spin) = (Matrix3::identity(), Vector3::zeros());
+        let (mut rotation, mut angular_velocity) = (Matrix3::identity(), Vector3::zeros());
         let place = |joint: &Joint| {
             rotation = &rotation * joint.rotation(digits);
-            spin += &rotation * joint.rate(digits);
-            Placed { rotation: rotation.clone(), spin: spin.clone() }
+            angular_velocity += &rotation * joint.rate(digits);
+            Placed { rotation: rotation.clone(), angular_velocity: angular_velocity.clone() }
         };
         self.joints.iter().map(place).collect()
     }
 }
 
 impl Joint {
-    /// Of the outboard side against the inboard one, outboard axes.
+    /// The angular velocity of the outboard side relative to the inboard side, in outboard axes.
     fn rate(&self, digits: usize) -> Vector3<Real> {
         match self {
             Joint::Ball { rate, .. } => exact_vector(rate, digits),
@@ -103,8 +103,8 @@ impl Joint {
         }
     }
 
-    /// Turns outboard components into inboard ones: (w² − v·v) I + 2 v vᵀ + 2 w ṽ over the square of
-    /// the quaternion's length, without a root or a sine.
+    /// The rotation from outboard to inboard components: (w² − v·v) I + 2 v vᵀ + 2 w ṽ over the square of the
+    /// quaternion's length. It needs no root and no sine.
     fn rotation(&self, digits: usize) -> Matrix3<Real> {
         let (w, v) = match self {
             Joint::Ball { quaternion: [w, vector @ ..], .. } => {
@@ -116,10 +116,10 @@ impl Joint {
         };
         let (ww, vv) = (&w * &w, v.dot(&v));
         let twice = exact(2.0, digits);
-        let turned = Matrix3::identity() * (&ww - &vv)
+        let rotation = Matrix3::identity() * (&ww - &vv)
             + &v * v.transpose() * twice.clone()
             + crossing(&v) * (w * twice);
-        turned / (ww + vv)
+        rotation / (ww + vv)
     }
 }
 

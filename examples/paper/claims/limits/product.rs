@@ -1,4 +1,4 @@
-//! The product of the paper's matrices as they are printed, in any precision.
+//! The product of the paper's matrices as printed, in any precision.
 
 use mstmm::Scalar;
 use mstmm::paper::body::{Body, Load, Motion};
@@ -10,14 +10,14 @@ use nalgebra::{Matrix3, SMatrix, Vector3};
 use super::pose::{Joint, Placed, Pose, Real};
 use crate::system::GRAVITY;
 
-/// Binary digits of orientations and velocities before they are rounded, once, to the product's
-/// precision. Generated code has to compute them, so this favours the product.
+/// The binary digits of orientations and velocities before they are rounded to the precision of the product.
+/// Generated code computes them in its own precision, so this favours the product.
 const DIGITS: usize = 128;
 
-/// The elements of a chain of cubes in a state, before they are multiplied.
+/// The elements of a chain of cubes in a state, the factors of the product.
 pub struct Product<T> {
     bodies: Vec<TransferMatrix<T>>,
-    /// Of each hinge, none for a ball.
+    /// One per hinge; `None` for a ball.
     pins: Vec<Option<Pin<T>>>,
 }
 
@@ -31,7 +31,7 @@ impl<T: Scalar> Product<T> {
                 let orientation = as_f64(&placed.rotation) * frame_about(&axis.normalize());
                 Some(Pin {
                     orientation: orientation.map(T::constant),
-                    angular_velocity: as_f64(&placed.spin).map(T::constant),
+                    angular_velocity: as_f64(&placed.angular_velocity).map(T::constant),
                     rate: T::constant(rate * axis.norm()),
                 })
             }
@@ -51,8 +51,8 @@ impl<T: Scalar> Product<T> {
         (0..self.bodies.len()).flat_map(|k| [hinge(k), self.bodies[k]]).collect()
     }
 
-    /// E₀ to E₅ of a pin [P, Eq. (41)]; at the last body, whose end is free, its own axis serves as the
-    /// next one.
+    /// E₀ to E₅ of a pin [P, Eq. (41)]. The last pin has no next pin, because the end of its body is free; its
+    /// own axis is used instead.
     pub fn pin_blocks(&self, k: usize) -> Option<Blocks<T>> {
         let pin = self.pins[k]?;
         let next = self.pins.get(k + 1).copied().flatten().unwrap_or(pin);
@@ -64,26 +64,26 @@ impl<T: Scalar> Product<T> {
         self.pins.first().copied().flatten().map(|pin| pin.orientation)
     }
 
-    /// r̈ and Ω̇ of the inputs of all bodies by steps (iii) to (v) of [P, Section 2.4]; N is twice the
-    /// number of bodies.
+    /// r̈ and Ω̇ of the inputs of all bodies by steps (iii) to (v) of [P, Section 2.4]. N is twice the number
+    /// of bodies.
     pub fn accelerations<const N: usize>(&self) -> Vec<f64>
     where
         T: Into<f64>,
     {
         let mut elements = [SMatrix::from_element(T::default()); N];
-        elements.iter_mut().zip(self.elements()).for_each(|(place, element)| *place = element);
+        elements.iter_mut().zip(self.elements()).for_each(|(to, element)| *to = element);
         let free = OutputEnd::free();
         let states = match self.first_frame() {
             None => chain::solve(&elements, &InputEnd::ball(), &free).outputs,
             Some(frame) => chain::solve(&elements, &InputEnd::pin(&frame), &free).outputs,
         };
-        // Behind each hinge is the input of its body.
+        // The output of each hinge is the input of its body.
         let inputs = states.iter().step_by(2);
         inputs.flat_map(|z| z.iter().take(6)).map(|&x| x.into()).collect()
     }
 }
 
-/// The cube of [P, Section 4.1] in motion, under its weight.
+/// The moving cube of [P, Section 4.1] with its weight.
 fn body<T: Scalar>(placed: &Placed) -> TransferMatrix<T> {
     let number = T::constant;
     let cube = Body {
@@ -95,7 +95,7 @@ fn body<T: Scalar>(placed: &Placed) -> TransferMatrix<T> {
     };
     let motion = Motion {
         orientation: as_f64(&placed.rotation).map(number),
-        angular_velocity: as_f64(&placed.spin).map(number),
+        angular_velocity: as_f64(&placed.angular_velocity).map(number),
     };
     let weight = Load {
         force: Vector3::new(0.0, -GRAVITY, 0.0).map(number),
@@ -104,7 +104,7 @@ fn body<T: Scalar>(placed: &Placed) -> TransferMatrix<T> {
     cube.blocks(&motion, &weight).transfer_matrix()
 }
 
-/// The numbers nearest to these.
+/// The nearest `f64` values.
 fn as_f64<const R: usize, const C: usize>(matrix: &SMatrix<Real, R, C>) -> SMatrix<f64, R, C> {
     matrix.map(|x| x.to_f64().value())
 }

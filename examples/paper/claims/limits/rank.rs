@@ -1,14 +1,15 @@
-//! How many of its unknowns the paper's overall equation (45) determines.
+//! The number of unknowns that the paper's overall equation (45) determines.
 
 use mstmm::paper::chain::{InputEnd, OutputEnd, boundary, overall};
 use nalgebra::{DMatrix, Matrix3, SMatrix};
 
 use super::pose::Pose;
 use super::product::Product;
-use crate::output::exhibit::{Exhibit, Row};
+use crate::output::result_table::{ResultTable, Row};
+use crate::verdict::{Bound, Check, Verdict};
 
-/// Singular values below this, relative to the largest one, are rounding: the product of three bodies
-/// is off by 1e-13 of its largest entries.
+/// Singular values below this fraction of the largest one are rounding errors: the product of three
+/// bodies has a relative error of 1e-13.
 const ROUNDING: f64 = 1e-10;
 
 /// The unknowns of (45).
@@ -18,30 +19,30 @@ const UNKNOWNS: usize = 6;
 struct Boundary {
     name: &'static str,
     matrix: DMatrix<f64>,
-    /// The rank that theory gives it.
+    /// The rank by theory.
     rank: usize,
 }
 
-pub fn exhibit() -> Exhibit {
-    let all = boundaries();
-    let (rows, faults): (Vec<Row>, Vec<Option<String>>) =
-        all.iter().map(Boundary::row_and_fault).unzip();
-    Exhibit {
+pub fn table() -> ResultTable {
+    let (rows, checks): (Vec<Row>, Vec<Check>) =
+        boundaries().iter().map(Boundary::row_and_check).unzip();
+    ResultTable {
         section: "Limits",
         title: "equation (45) for three cubes, singular values over the largest one",
         columns: (1..=UNKNOWNS).map(|k| format!("σ{k}")).collect(),
         rows,
-        says: vec![
-            "As printed, (45) begins behind the first hinge, at z_{2,I} with six unknowns. It determines three",
-            "of them for balls and five for pins: the condition of hinge 3 at body 2, which U₁ would bring in, is",
-            "missing. The product that begins at the ground, with U₁, determines all of its unknowns.",
-        ],
-        differences: Vec::new(),
-        faults: faults.into_iter().flatten().collect(),
+        note: "As printed, (45) starts outboard of the first hinge, at z_{2,I} with six unknowns. It determines \
+               three of them for balls and five for pins: the condition of hinge 3 at body 2, which U₁ would \
+               add, is missing. The product that starts at the ground, with U₁, determines all its unknowns.",
+        verdicts: vec![Verdict {
+            compared: "rank of equation (45) – theory, 4 cases".into(),
+            figure: None,
+            checks,
+        }],
     }
 }
 
-/// (45) as printed, and with U₁, in a state like any other.
+/// Equation (45) as printed, and with U₁, in a state without symmetry.
 fn boundaries() -> [Boundary; 4] {
     let free = OutputEnd::free();
     let balls = Product::<f64>::new(&Pose::of_balls(3, 0)).elements();
@@ -69,15 +70,20 @@ impl Boundary {
         Boundary { name, matrix: DMatrix::from_column_slice(M, K, matrix.as_slice()), rank }
     }
 
-    fn row_and_fault(&self) -> (Row, Option<String>) {
+    fn row_and_check(&self) -> (Row, Check) {
         let Boundary { name, matrix, rank: known } = self;
         let unknowns = matrix.ncols();
         let singular = matrix.singular_values();
         let mut values: Vec<f64> = singular.iter().map(|value| value / singular.max()).collect();
         values.sort_by(|a, b| b.total_cmp(a));
         let rank = values.iter().filter(|&&value| value > ROUNDING).count();
-        let fault = (rank != *known).then(|| format!("{name}: rank {rank}, not {known}"));
+        let check = Check {
+            what: format!("{name}: rank {rank}, by theory {known}"),
+            size: rank.abs_diff(*known) as f64,
+            unit: "",
+            bound: Bound::Fixed(0.0),
+        };
         values.resize(UNKNOWNS, f64::NAN);
-        (Row { name: format!("{name}: rank {rank} of {unknowns}"), values }, fault)
+        (Row { name: format!("{name}: rank {rank} of {unknowns}"), values }, check)
     }
 }

@@ -1,7 +1,7 @@
-//! The cube on a ball with its orientation kept as the paper keeps it: Bryan angles θ and their rates
-//! are the state, and θ̈ = H⁻¹ Aᵀ Ω̇ − H⁻¹ Ḣ θ̇ [P, Section 2.1].
+//! The cube on a ball with the paper's coordinates: the state is the Bryan angles θ and their rates, and
+//! θ̈ = H⁻¹ Aᵀ Ω̇ − H⁻¹ Ḣ θ̇ [P, Section 2.1].
 //!
-//! Ω̇ is that of generated code, and the integrator the same, so that nothing else makes a difference.
+//! Ω̇ is that of generated code, and the integrator is the same, so that only the coordinates differ.
 
 use mstmm::paper::rotation;
 use mstmm::{Chain, ChainState, Error};
@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 
 use super::{Top, TopInputs, TopState};
 
-/// The cube by Bryan angles.
+/// The cube in Bryan angles.
 pub struct ByAngles<'a>(pub &'a Top<f64>);
 
 /// Angles in rad, their rates in rad/s, and the time in s.
@@ -21,12 +21,12 @@ pub struct Angles {
 }
 
 impl Angles {
-    /// At the angles zero, where the rates of the angles are Ω.
+    /// The state at zero angles, where the rates of the angles are Ω.
     pub fn level(angular_velocity: Vector3<f64>) -> Self {
         Angles { v: angular_velocity.into(), ..Angles::default() }
     }
 
-    /// The same state as generated code takes it.
+    /// The same state for generated code.
     pub fn as_top(&self) -> TopState<f64> {
         let rate = rotation::rate_matrix(&self.q.into()) * Vector3::from(self.v);
         let mut state = TopState::default();
@@ -74,9 +74,9 @@ impl Chain for ByAngles<'_> {
         inputs: &TopInputs<f64>,
         rate: &mut Angles,
     ) -> Result<(), Error> {
-        let own = self.0.accelerations(&state.as_top(), inputs)?;
+        let angular_acceleration = self.0.accelerations(&state.as_top(), inputs)?;
         let (angles, rates) = (state.q.into(), state.v.into());
-        let turning = rotation::rotation_matrix(&angles) * own;
+        let turning = rotation::rotation_matrix(&angles) * angular_acceleration;
         rate.q = state.v;
         rate.v = rotation::angle_accelerations(&angles, &rates, &turning).into();
         Ok(())
@@ -86,6 +86,6 @@ impl Chain for ByAngles<'_> {
         rate.q = state.v;
     }
 
-    /// There is nothing that has a length.
+    /// Does nothing: there is no quaternion.
     fn normalize(&self, _state: &mut Angles) {}
 }

@@ -1,4 +1,4 @@
-//! Swings of a cube on a ball, and where an independent solver finds it at their end.
+//! Swings of a cube on a ball, and their ends by an independent solver.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,48 +10,48 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use super::END;
 use crate::system::GRAVITY;
 
-/// Moments of inertia about the hinge, along the axis of symmetry and across it, in kg m².
+/// The moments of inertia about the hinge, about the axis of symmetry and perpendicular to it, in kg m².
 const ALONG: f64 = 1.0 / 6.0;
 const ACROSS: f64 = 5.0 / 12.0;
-/// What the weight does from level to straight down in J: about the largest kinetic energy.
+/// The work of the weight from the level to the lowest position in J, about the largest kinetic energy.
 pub const FALL: f64 = GRAVITY / 2.0;
 
-/// A swing from the level.
+/// A swing from the level position.
 pub struct Swing {
     pub name: String,
     /// Ω at the start in rad/s.
     pub start: Vector3<f64>,
 }
 
-/// How the cube is turned and turns, inertial frame.
+/// The orientation and the angular velocity of the cube in the inertial frame.
 pub struct Pose {
     pub orientation: UnitQuaternion<f64>,
-    pub spin: Vector3<f64>,
+    pub angular_velocity: Vector3<f64>,
 }
 
 impl Swing {
-    /// Up to this θ₂.
+    /// A swing up to this θ₂.
     pub fn up_to(degrees: f64) -> Self {
         let missing = FRAC_PI_2 - degrees.to_radians();
-        // Momentum about z is J Ω_z(0), and J Ω_z sin² δ where θ₂ is largest. There the kinetic energy
-        // is ½ J Ω_z² sin² δ, by m g l cos δ more than at the start.
+        // The angular momentum about z is J Ω_z(0) at the start, and J Ω_z sin² δ at the largest θ₂. There
+        // the kinetic energy is ½ J Ω_z² sin² δ, which is m g l cos δ more than at the start.
         let turn = missing.tan() * (2.0 * FALL * missing.cos() / ACROSS).sqrt();
         Swing { name: format!("θ₂ up to {degrees}°"), start: Vector3::new(0.0, 0.0, turn) }
     }
 
-    /// Through 90°: momentum about z is what the spin has where the cube points down.
+    /// A swing through 90°: the momentum about z is that of a spin of the cube when it points down.
     pub fn through() -> Self {
         let start = Vector3::new(1.0, 0.0, -ALONG / ACROSS);
         Swing { name: "θ₂ through 90°, with a spin of 1 rad/s".into(), start }
     }
 
-    /// Through 90° while nothing turns about z.
+    /// A planar swing through 90°, without rotation about z.
     pub fn in_plane() -> Self {
         Swing { name: "θ₂ through 90°, in a plane".into(), start: Vector3::zeros() }
     }
 
-    /// Where it ends by Newton's and Euler's equations, with positions and quaternions of bodies and
-    /// steps as short as they must be.
+    /// The end by the Newton–Euler equations, with positions and quaternions of bodies and step-size
+    /// control.
     pub fn reference(&self) -> Option<Reference> {
         let body = Element::Body(Body {
             name: "cube".into(),
@@ -72,11 +72,11 @@ impl Swing {
     fn at_end(&self, sample: &Sample) -> Option<Reference> {
         let body = sample.bodies.first()?;
         let rotation = Matrix3::from_fn(|row, column| body.rotation[row][column]);
-        let spin = Vector3::from(body.angular_velocity);
+        let angular_velocity = Vector3::from(body.angular_velocity);
         let inertia = Matrix3::from_diagonal(&Vector3::new(ALONG, ACROSS, ACROSS));
-        let momentum = (rotation * inertia * rotation.transpose() * spin).z;
+        let momentum = (rotation * inertia * rotation.transpose() * angular_velocity).z;
         let energy = sample.kinetic_energy + sample.potential_energy;
-        // Level, the centre of mass is as high as the hinge.
+        // In the level position, the centre of mass is at the height of the hinge.
         let first_energy = 0.5 * self.start.dot(&(inertia * self.start));
         let first_momentum = (inertia * self.start).z;
         Some(Reference {
@@ -84,7 +84,7 @@ impl Swing {
                 orientation: UnitQuaternion::from_rotation_matrix(
                     &Rotation3::from_matrix_unchecked(rotation),
                 ),
-                spin,
+                angular_velocity,
             },
             energy: (energy - first_energy).abs(),
             momentum: (momentum - first_momentum).abs(),
@@ -92,11 +92,11 @@ impl Swing {
     }
 }
 
-/// A swing at its end, and how much of what must not change has changed on the way.
+/// The end of a swing, and the changes of the conserved quantities.
 pub struct Reference {
     pub end: Pose,
-    /// In J.
+    /// The change of the energy in J.
     pub energy: f64,
-    /// Of the angular momentum about z in N m s.
+    /// The change of the angular momentum about z in N m s.
     pub momentum: f64,
 }

@@ -1,4 +1,4 @@
-//! What generated code computes of chains of cubes, and how far a way is off.
+//! The accelerations of chains of cubes by generated code, relative errors, and their bound.
 
 use mstmm::{ChainState, Error, GeneratedChain, Scalar};
 use nalgebra::Vector3;
@@ -28,7 +28,7 @@ where
     Ok(all.flat_map(<[C::Scalar; 3]>::from).map(Into::into).collect())
 }
 
-/// The largest error over the largest acceleration; not a number where something is none.
+/// The largest error relative to the largest acceleration; NaN if a value is not finite.
 pub fn error(found: &[f64], truth: &[Real]) -> f64 {
     if found.len() != truth.len() || found.iter().any(|x| !x.is_finite()) {
         return f64::NAN;
@@ -37,7 +37,7 @@ pub fn error(found: &[f64], truth: &[Real]) -> f64 {
     apart(&found, truth)
 }
 
-/// The largest difference of two lists of equal length over the largest number in the second one.
+/// The largest difference between two lists of equal length, relative to the largest value of the second.
 pub fn apart(one: &[Real], other: &[Real]) -> f64 {
     let size = |x: Real| x.to_f64().value().abs();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
@@ -45,11 +45,11 @@ pub fn apart(one: &[Real], other: &[Real]) -> f64 {
         / largest(&mut other.iter().map(|x| size(x.clone())))
 }
 
-/// Operations of an evaluation for a body by `transfer`, which takes more than `riccati`.
+/// The operations of an evaluation per body by `transfer`, which needs more than `riccati`.
 const OPERATIONS: f64 = 1240.0;
 
-/// What the error of generated code must not exceed: the rounding of each operation, half a unit in
-/// the last place, as if all of them came out whole in the largest acceleration.
+/// The bound for the relative error of generated code: half a unit in the last place for each operation, as
+/// if each rounding error were one of the largest acceleration.
 pub fn bound(bodies: usize, unit: f64) -> f64 {
     0.5 * unit * OPERATIONS * bodies as f64
 }

@@ -1,4 +1,4 @@
-//! Figures as SVG pictures: lines and marks over time, in panels one below the other.
+//! Figures over time as SVG pictures: lines and marks, in panels one below the other.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -10,17 +10,17 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// Units of the drawing in a pixel of the picture. All points lie on whole units; with one unit a
-/// pixel, lines would show steps.
+/// Units of the drawing per pixel of the picture. All points are rounded to units; with one unit per pixel,
+/// lines would have visible steps.
 const FINE: u32 = 4;
-const WIDTH: u32 = 900 * FINE;
-const PANEL_HEIGHT: u32 = 330 * FINE;
-/// The height of the strip above the panels, which holds title and legend.
+const WIDTH: u32 = 800 * FINE;
+const PANEL_HEIGHT: u32 = 320 * FINE;
+/// The height of the title and the legend above the panels.
 const HEADER_HEIGHT: u32 = 76 * FINE;
 const LINE_WIDTH: u32 = 2 * FINE;
 const FONT: &str = "sans-serif";
-/// Three colours that readers with colour-deficient sight tell apart (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 3] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115)];
+/// Colours that readers with colour vision deficiency can distinguish (Okabe and Ito 2008).
+const COLOURS: [RGBColor; 3] = [RGBColor(0, 130, 200), RGBColor(213, 94, 0), RGBColor(0, 158, 115)];
 /// Half the size of a mark.
 const MARK_SIZE: u32 = 4 * FINE;
 
@@ -28,19 +28,19 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn = Result<(), Box<dyn Error>>;
 
 /// A figure of the paper.
-pub struct Figure {
+pub struct TimeFigure {
     pub file_name: &'static str,
     pub title: &'static str,
-    /// What it shows.
-    pub says: &'static str,
-    /// What the marks are.
-    pub rival: &'static str,
+    /// What the figure shows.
+    pub caption: &'static str,
+    /// What the crosses are.
+    pub reference: &'static str,
     /// The end of the axis of time in s.
     pub end: f64,
     pub panels: Vec<Panel>,
 }
 
-/// Curves that share their axes. The axis of time is that of all panels.
+/// Curves that share their axes. All panels have the same time axis.
 pub struct Panel {
     /// The label of the vertical axis, with its unit.
     pub axis: &'static str,
@@ -50,13 +50,13 @@ pub struct Panel {
 /// A coordinate against time in s.
 pub struct Curve {
     pub label: &'static str,
-    /// By generated code.
+    /// The values by generated code.
     pub line: Vec<(f64, f64)>,
-    /// By the rival.
+    /// The values by the reference.
     pub marks: Vec<(f64, f64)>,
 }
 
-impl Figure {
+impl TimeFigure {
     /// Draws the figure into a file in `folder` and returns the file.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
         let path = folder.join(self.file_name);
@@ -78,7 +78,7 @@ impl Figure {
         root.fill(&WHITE)?;
         let (header, below) = root.split_vertically(HEADER_HEIGHT);
         self.draw_header(&header)?;
-        // Colours go on from panel to panel, so that one legend serves them all.
+        // Each curve has a colour of its own, so that the panels share one legend.
         let mut colours = COLOURS.iter().cycle();
         for (panel, area) in self.panels.iter().zip(below.split_evenly((self.panels.len(), 1))) {
             panel.draw(&area, self.end, &mut colours)?;
@@ -93,19 +93,21 @@ impl Figure {
         let style = |size: u32, side: HPos| {
             (FONT, size * FINE).into_text_style(header).pos(Pos::new(side, VPos::Center))
         };
-        header.draw(&Text::new(self.title, at(450, 24), style(20, HPos::Center)))?;
+        header.draw(&Text::new(self.title, at(400, 24), style(20, HPos::Center)))?;
 
-        let (mut x, y) = (90, 56);
+        let y = 56;
+        header.draw(&Text::new("generated code:", at(80, y), style(16, HPos::Left)))?;
+        let mut x = 210;
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
         for (curve, colour) in curves.zip(COLOURS.iter().cycle()) {
             let line = [at(x, y), at(x + 30, y)];
             header.draw(&PathElement::new(line, colour.stroke_width(LINE_WIDTH)))?;
-            let label = format!("{} (generated code)", curve.label);
-            header.draw(&Text::new(label, at(x + 38, y), style(16, HPos::Left)))?;
-            x += 205;
+            header.draw(&Text::new(curve.label, at(x + 38, y), style(16, HPos::Left)))?;
+            x += 60 + 9 * curve.label.chars().count() as u32;
         }
+        x += 20;
         header.draw(&Cross::new(at(x + 8, y), MARK_SIZE, BLACK.stroke_width(FINE)))?;
-        header.draw(&Text::new(self.rival, at(x + 24, y), style(16, HPos::Left)))?;
+        header.draw(&Text::new(self.reference, at(x + 24, y), style(16, HPos::Left)))?;
         Ok(())
     }
 }
@@ -140,7 +142,7 @@ impl Panel {
                 chart.draw_series(LineSeries::new(points, colour.stroke_width(LINE_WIDTH)))?;
             }
         }
-        // Above all lines, so that none hides a mark.
+        // Drawn after all lines, so that no line hides a mark.
         let marks = self.curves.iter().flat_map(|curve| &curve.marks);
         chart.draw_series(
             marks.map(|&mark| Cross::new(mark, MARK_SIZE, BLACK.stroke_width(FINE))),
@@ -148,18 +150,18 @@ impl Panel {
         Ok(())
     }
 
-    /// What the vertical axis spans: all values and a little more.
+    /// The range of the vertical axis: all values, and a margin.
     fn range(&self) -> Range<f64> {
         let values = || self.curves.iter().flat_map(|curve| &curve.line).map(|&(_, value)| value);
         let (lowest, highest) =
             (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-        let more = 0.06 * (highest - lowest);
-        lowest - more..highest + more
+        let margin = 0.06 * (highest - lowest);
+        lowest - margin..highest + margin
     }
 }
 
-/// The parts of a line between jumps from π to −π or back, which are no motion. What leaves these
-/// bounds is no angle that wraps.
+/// The parts of a line between jumps from π to −π or back. A line with values beyond these bounds has no
+/// such jumps.
 fn unbroken_parts(line: &[(f64, f64)]) -> impl Iterator<Item = &[(f64, f64)]> {
     let wraps = line.iter().all(|(_, value)| value.abs() <= PI);
     line.chunk_by(move |(_, value), (_, next)| !wraps || (next - value).abs() < PI)

@@ -1,4 +1,4 @@
-//! Figures with logarithmic axes: the method as lines, the rival as crosses.
+//! Figures with logarithmic axes as SVG pictures: lines with dots, and crosses.
 
 use std::error::Error;
 use std::fs;
@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 
 use plotters::prelude::*;
 
-/// Units of the drawing in a pixel of the picture.
+/// Units of the drawing per pixel of the picture.
 const FINE: u32 = 4;
-const WIDTH: u32 = 900 * FINE;
+const WIDTH: u32 = 800 * FINE;
 const HEIGHT: u32 = 520 * FINE;
 const FONT: &str = "sans-serif";
-/// Colours that readers with colour-deficient sight tell apart (Okabe and Ito 2008).
+/// Colours that readers with colour vision deficiency can distinguish (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 6] = [
-    RGBColor(0, 114, 178),
+    RGBColor(0, 130, 200),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
@@ -24,43 +24,43 @@ const COLOURS: [RGBColor; 6] = [
 /// Half the size of a mark.
 const MARK_SIZE: u32 = 4 * FINE;
 
-/// What marks reach beyond their points, of the diagram.
+/// The size of a mark as a fraction of the diagram.
 const MARGIN: f64 = 0.02;
 
-/// Ways beside each other, both axes logarithmic.
+/// Series of points, both axes logarithmic.
 pub struct LogFigure {
     pub file_name: &'static str,
     pub title: &'static str,
-    /// What it shows.
-    pub says: &'static str,
+    /// What the figure shows.
+    pub caption: &'static str,
     pub x: &'static str,
     pub y: &'static str,
     pub series: Vec<Series>,
 }
 
-/// Points of one way, in order.
+/// The points of one method, in order.
 pub struct Series {
     pub label: &'static str,
-    pub way: Way,
+    pub style: SeriesStyle,
     pub points: Vec<(f64, f64)>,
 }
 
-/// Whose points they are.
+/// How the points are drawn.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Way {
+pub enum SeriesStyle {
     /// A line with dots.
-    Method,
-    /// Crosses.
-    Rival,
+    Line,
+    /// Crosses without a line.
+    Crosses,
 }
 
-/// A number at the horizontal axis.
+/// Formats a value at the horizontal axis.
 fn tick(value: &f64) -> String {
     if (1.0..1e6).contains(value) { format!("{value}") } else { format!("{value:.0e}") }
 }
 
 impl Series {
-    /// Its points, and where lines lead between them.
+    /// The points, and points of the lines between them.
     fn drawn_points(&self) -> Vec<(f64, f64)> {
         let between = |pair: &[(f64, f64)]| -> Vec<(f64, f64)> {
             let &[(x, y), (next_x, next_y)] = pair else { return Vec::new() };
@@ -68,9 +68,9 @@ impl Series {
             let parts = (1..10).map(|part| f64::from(part) / 10.0);
             parts.map(|part| (at(x, next_x, part), at(y, next_y, part))).collect()
         };
-        let lines = match self.way {
-            Way::Method => self.points.windows(2).flat_map(between).collect(),
-            Way::Rival => Vec::new(),
+        let lines = match self.style {
+            SeriesStyle::Line => self.points.windows(2).flat_map(between).collect(),
+            SeriesStyle::Crosses => Vec::new(),
         };
         [self.points.clone(), lines].concat()
     }
@@ -119,8 +119,8 @@ impl LogFigure {
         for (series, &colour) in self.series.iter().zip(COLOURS.iter().cycle()) {
             let line = colour.stroke_width(2 * FINE);
             let points = series.points.iter().copied();
-            match series.way {
-                Way::Method => {
+            match series.style {
+                SeriesStyle::Line => {
                     let dot = move |point| Circle::new(point, MARK_SIZE, colour.filled());
                     chart.draw_series(LineSeries::new(points.clone(), line))?;
                     let legend = move |(x, y)| {
@@ -128,7 +128,7 @@ impl LogFigure {
                     };
                     chart.draw_series(points.map(dot))?.label(series.label).legend(legend);
                 }
-                Way::Rival => {
+                SeriesStyle::Crosses => {
                     let cross = move |point| Cross::new(point, MARK_SIZE, line);
                     let legend = move |(x, y)| {
                         Cross::new((x + 15 * FINE as i32, y), MARK_SIZE, line).into_dyn()
@@ -137,10 +137,10 @@ impl LogFigure {
                 }
             }
         }
-        let place = self.emptiest_place(chart.plotting_area().dim_in_pixel());
+        let position = self.legend_position(chart.plotting_area().dim_in_pixel());
         chart
             .configure_series_labels()
-            .position(place)
+            .position(position)
             .legend_area_size(44 * FINE)
             .label_font((FONT, 16 * FINE))
             .margin(16 * FINE)
@@ -150,8 +150,8 @@ impl LogFigure {
         Ok(())
     }
 
-    /// Where the legend hides least, in a diagram of this size.
-    fn emptiest_place(&self, size: (u32, u32)) -> SeriesLabelPosition {
+    /// The position of the legend that hides the fewest points, in a diagram of this size.
+    fn legend_position(&self, size: (u32, u32)) -> SeriesLabelPosition {
         let (x, y) = (self.range(|point| point.0), self.range(|point| point.1));
         let along = |range: &Range<f64>, value: f64| {
             (value / range.start).ln() / (range.end / range.start).ln()
@@ -159,7 +159,7 @@ impl LogFigure {
         let points = self.series.iter().flat_map(Series::drawn_points);
         let drawn: Vec<_> =
             points.map(|point| (along(&x, point.0), 1.0 - along(&y, point.1))).collect();
-        // About what the legend takes of the diagram, with its margin.
+        // The approximate size of the legend as a fraction of the diagram, with its margin.
         let letters = self.series.iter().map(|series| series.label.chars().count()).max();
         let letters = letters.unwrap_or(0) as u32;
         let [width, height] = [
@@ -174,15 +174,15 @@ impl LogFigure {
             drawn.iter().filter(inside).count()
         };
         let parts = || (0..=10).map(|part| f64::from(part) / 10.0);
-        let places = parts()
+        let positions = parts()
             .flat_map(|left| parts().map(move |top| (left * (1.0 - width), top * (1.0 - height))));
-        let (left, top) = places.min_by_key(hidden).unwrap_or_default();
+        let (left, top) = positions.min_by_key(hidden).unwrap_or_default();
         let at = |part: f64, size: u32| (part * f64::from(size)) as i32;
         SeriesLabelPosition::Coordinate(at(left, size.0), at(top, size.1))
     }
 
-    /// What an axis spans: all values and a little more. A short one begins at a power of ten, without
-    /// which it would have next to no numbers.
+    /// The range of an axis: all values, and a margin. A short axis begins at a power of ten, because it would
+    /// have too few numbers otherwise.
     fn range(&self, value: impl Fn(&(f64, f64)) -> f64) -> Range<f64> {
         let values = || self.series.iter().flat_map(|series| &series.points).map(&value);
         let lowest = values().fold(f64::INFINITY, f64::min);
