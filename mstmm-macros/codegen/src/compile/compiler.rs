@@ -175,7 +175,7 @@ impl<'a> ChainCompiler<'a> {
     ) -> Traced<'a> {
         let (solved, function) = self.traced(|tracer, trace| {
             let context = set(self.context(self.merged)).with_loops(tracer);
-            equations::accelerations(&context, self.method(), AXES, trace)
+            equations::forward_dynamics(&context, self.method(), AXES, trace)
         });
         let outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
         Function { outputs, pivots: self.pivots(&solved), ..function }.into()
@@ -185,7 +185,8 @@ impl<'a> ChainCompiler<'a> {
         let results = self.chain.results;
         let ((solved, report, energy), function) = self.traced(|tracer, trace| {
             let merged = self.context(self.merged).with_loops(tracer);
-            let (solved, swept) = equations::sweep(&merged, self.method(), AXES, trace);
+            let (solved, swept) =
+                equations::forward_dynamics_with_wrenches(&merged, self.method(), AXES, trace);
             let context = self.context(self.layout).with_loops(tracer);
             let report = equations::report(&context, (&solved, &swept), trace);
             let energy = results.energies.then(|| equations::energy(&context, trace));
@@ -213,7 +214,9 @@ impl<'a> ChainCompiler<'a> {
         }
         let layout = layouts::numbers_of_points(self.chain, &storage);
         outputs.push(by_entry(self.output(outputs::POINT_NUMBERS, layout, &numbers)));
-        let felt = |&axis: &usize| if results.z { report.at_rest[axis] } else { Expr::Number(0.0) };
+        let felt = |&axis: &usize| {
+            if results.z { report.base_acceleration[axis] } else { Expr::Number(0.0) }
+        };
         let at_rest: Vec<Expr> = self.chain.dimension.shifts().iter().map(felt).collect();
         outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
         Traced { function: Function { outputs, pivots, ..function }, storage: Some(storage) }
@@ -253,12 +256,12 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn correction(&self) -> Traced<'a> {
         let (correction, function) = self.traced(|tracer, trace| {
-            equations::correction(&self.context(self.merged).with_loops(tracer), trace)
+            equations::project(&self.context(self.merged).with_loops(tracer), trace)
         });
         let Some(correction) = correction else {
             bug!("an open chain has no projection onto a loop closure")
         };
-        let q = equations::moved(self.chain, self.layout, &self.q, &correction.coordinates);
+        let q = equations::displace(self.chain, self.layout, &self.q, &correction.coordinates);
         let v: Vec<Expr> =
             self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
         let residual = [correction.residual, correction.excess];
@@ -277,7 +280,7 @@ impl<'a> ChainCompiler<'a> {
         let numbers = SymbolValues { closure_steps: Vec::new(), ..self.numbers.clone() };
         let (solved, function) = self.traced(|tracer, trace| {
             let context = self.context_with(self.merged, &numbers).with_loops(tracer);
-            equations::accelerations(&context, SolutionMethod::Riccati, AXES, trace)
+            equations::forward_dynamics(&context, SolutionMethod::Riccati, AXES, trace)
         });
         let Some(reaction) = solved.reaction else {
             bug!("the rank of a loop closure is to be found, and the chain is open")

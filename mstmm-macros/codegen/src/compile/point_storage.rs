@@ -120,8 +120,8 @@ impl<'g> PointAllocator<'g> {
         let seen = [
             (results.velocities, &point.velocity, shifts),
             (results.velocities, &point.omega, turns),
-            (results.z, &point.felt, shifts),
-            (results.z, &point.turning, turns),
+            (results.z, &point.proper_acceleration, shifts),
+            (results.z, &point.angular_acceleration, turns),
             (results.z, &point.moment, turns),
             (results.z, &point.force, shifts),
         ];

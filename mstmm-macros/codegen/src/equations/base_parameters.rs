@@ -6,7 +6,7 @@
 //! as before: base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes
 //! in again behind its hinge.
 
-use super::kinematics::LinkKinematics;
+use super::kinematics::{LinkKinematics, RigidInertia};
 use super::strategy;
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, Trace};
@@ -17,14 +17,14 @@ use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 #[derive(Clone, Copy, Debug)]
 pub struct OriginalInertia<S> {
     /// The mass that it has given to its parent.
-    pub mass: S,
+    pub transferred_mass: S,
     /// Mass and trace of the inertia as written, which pivots are measured by.
     pub scales: (S, S),
 }
 
 /// Redistributes from the free end to the ground, over every hinge that turns about one axis, but
 /// for those at boundaries of repeated parts; as much as saves [`strategy::operations`].
-pub fn redistribute<S: Scalar>(
+pub fn to_base_parameters<S: Scalar>(
     context: &EvalContext<S>,
     links: &mut PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
@@ -38,36 +38,40 @@ pub fn redistribute<S: Scalar>(
         if stays || !link.hinge.is_concentric() {
             return (own, S::zero());
         }
-        let ((left, with_rod), given) = lightest(link, (own, *of_parent));
+        let ((left, with_rod), given) = cheapest(link, (own, *of_parent));
         *of_parent = with_rod;
         (left, given)
     };
-    let ground =
-        RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    let ground = RigidInertia::zero();
     let (left, _) = context.tree.inward(own, ground, step);
     let (left, masses): (Vec<RigidInertia<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
     links.iter_mut().zip(left).for_each(|(link, rigid)| {
-        rigid.put_into(link);
-        trace.rigid_body(&format!("{}_base", link.name), link.mass, link.moment, link.inertia);
+        rigid.write_to(link);
+        trace.rigid_body(
+            &format!("{}_base", link.name),
+            link.mass,
+            link.first_moment,
+            link.inertia,
+        );
     });
-    let given = |(mass, scales)| OriginalInertia { mass, scales };
-    masses.into_iter().zip(scales).map(given).collect()
+    let original = |(transferred_mass, scales)| OriginalInertia { transferred_mass, scales };
+    masses.into_iter().zip(scales).map(original).collect()
 }
 
 /// What a link and its parent have with the fewest operations, and the mass that the link gives
 /// away.
-fn lightest<S: Scalar>(
+fn cheapest<S: Scalar>(
     link: &LinkKinematics<S>,
     (own, of_parent): (RigidInertia<S>, RigidInertia<S>),
 ) -> ((RigidInertia<S>, RigidInertia<S>), S) {
     let operations = |(own, of_parent): &(RigidInertia<S>, RigidInertia<S>)| {
-        own.operations() + of_parent.operations()
+        own.operation_count() + of_parent.operation_count()
     };
     let (mut best, mut given) = ((own, of_parent), S::zero());
-    for rod in rods(link, own) {
+    for rod in transferable(link, own) {
         let to_parent = rod.rotated(link.hinge.to_parent.matrix()).shifted_from(link.hinge.arm);
-        let pair = (own.without(rod), of_parent.with(to_parent));
+        let pair = (own.minus(rod), of_parent.plus(to_parent));
         if operations(&pair) < operations(&best) {
             (best, given) = (pair, rod.mass);
         }
@@ -77,18 +81,18 @@ fn lightest<S: Scalar>(
 
 /// What of a link that turns about one of its axes may be its parent's: a rod along that, without
 /// and with a moment of inertia.
-fn rods<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Vec<RigidInertia<S>> {
-    let Some(axis) = only_axis(link) else { return Vec::new() };
-    let moment = Vec3::from_fn(|k| if k == axis { own.moment[k] } else { S::zero() });
+fn transferable<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Vec<RigidInertia<S>> {
+    let Some(axis) = rotation_axis(link) else { return Vec::new() };
+    let first_moment = Vec3::from_fn(|k| if k == axis { own.first_moment[k] } else { S::zero() });
     let across = own.inertia.at((axis + 2) % 3, (axis + 2) % 3);
     let is_across = |i: usize, j: usize| i == j && i != axis;
     let inertia = Sym3::from_fn(|i, j| if is_across(i, j) { across } else { S::zero() });
-    let without = RigidInertia { mass: own.mass, moment, inertia: Sym3([S::zero(); 6]) };
+    let without = RigidInertia { mass: own.mass, first_moment, inertia: Sym3([S::zero(); 6]) };
     vec![without, RigidInertia { inertia, ..without }]
 }
 
 /// The axis that a link's hinge turns about, if it is one of the link's axes alone.
-fn only_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
+fn rotation_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
     let [motion] = &link.hinge.subspace[..] else { return None };
     let present = |&k: &usize| !motion.angular[k].vanishes();
     let axes: Vec<usize> = (0..3).filter(present).collect();
@@ -96,37 +100,28 @@ fn only_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
     Some(axis)
 }
 
-/// Inertia about a point.
-#[derive(Clone, Copy)]
-struct RigidInertia<S> {
-    mass: S,
-    /// `m r_C`
-    moment: Vec3<S>,
-    inertia: Sym3<S>,
-}
-
 impl<S: Scalar> RigidInertia<S> {
     fn of(link: &LinkKinematics<S>) -> Self {
-        RigidInertia { mass: link.mass, moment: link.moment, inertia: link.inertia }
+        RigidInertia { mass: link.mass, first_moment: link.first_moment, inertia: link.inertia }
     }
 
-    fn put_into(self, link: &mut LinkKinematics<S>) {
-        (link.mass, link.moment, link.inertia) = (self.mass, self.moment, self.inertia);
+    fn write_to(self, link: &mut LinkKinematics<S>) {
+        (link.mass, link.first_moment, link.inertia) = (self.mass, self.first_moment, self.inertia);
     }
 
-    fn with(self, more: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         RigidInertia {
-            mass: self.mass + more.mass,
-            moment: self.moment + more.moment,
-            inertia: self.inertia + more.inertia,
+            mass: self.mass + other.mass,
+            first_moment: self.first_moment + other.first_moment,
+            inertia: self.inertia + other.inertia,
         }
     }
 
-    fn without(self, less: Self) -> Self {
+    fn minus(self, other: Self) -> Self {
         RigidInertia {
-            mass: self.mass - less.mass,
-            moment: self.moment - less.moment,
-            inertia: self.inertia - less.inertia,
+            mass: self.mass - other.mass,
+            first_moment: self.first_moment - other.first_moment,
+            inertia: self.inertia - other.inertia,
         }
     }
 
@@ -141,17 +136,22 @@ impl<S: Scalar> RigidInertia<S> {
             let even = if i == j { across } else { S::zero() };
             even - across * (direction[i] * direction[j])
         });
-        RigidInertia { mass: self.mass, moment: rotation * self.moment, inertia }
+        RigidInertia { mass: self.mass, first_moment: rotation * self.first_moment, inertia }
     }
 
     /// At `arm`, seen from the origin.
     fn shifted_from(self, arm: Vec3<S>) -> Self {
-        let there = SpatialInertia::rigid(self.mass, self.moment, self.inertia).shifted_from(arm);
-        RigidInertia { moment: self.moment + arm * self.mass, inertia: there.angular, ..self }
+        let there =
+            SpatialInertia::rigid(self.mass, self.first_moment, self.inertia).shifted_from(arm);
+        RigidInertia {
+            first_moment: self.first_moment + arm * self.mass,
+            inertia: there.angular,
+            ..self
+        }
     }
 
-    fn operations(&self) -> usize {
-        strategy::operations(self.mass, self.moment, self.inertia)
+    fn operation_count(&self) -> usize {
+        strategy::operation_count(self.mass, self.first_moment, self.inertia)
     }
 }
 

@@ -11,17 +11,18 @@ pub struct ConnectionPoint {
 }
 
 /// All connection points, in the order written; those of repeated parts once.
-pub fn spots<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
+pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
     let chain = context.chain;
-    let mut spots: Vec<ConnectionPoint> = Vec::new();
-    let add = |spots: &mut Vec<ConnectionPoint>, number: usize, spot: ConnectionPoint| match spots
-        .get_mut(number)
-    {
-        // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
-        Some(known) if known.hinge.is_none() => *known = spot,
-        Some(_) => {}
-        None => spots.push(spot),
-    };
+    let mut points: Vec<ConnectionPoint> = Vec::new();
+    let add =
+        |points: &mut Vec<ConnectionPoint>, number: usize, point: ConnectionPoint| match points
+            .get_mut(number)
+        {
+            // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
+            Some(known) if known.hinge.is_none() => *known = point,
+            Some(_) => {}
+            None => points.push(point),
+        };
     // On a seam what passes is what the seam's weld passes on.
     let side = |hinge: HingeId, place: &Attachment, outboard: bool| {
         let weld = chain.repeat_boundary(place).map(|seam| chain.weld_of(seam));
@@ -50,8 +51,8 @@ pub fn spots<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
                 )
             }
         };
-        add(&mut spots, number, input);
-        add(&mut spots, number + 1, output);
+        add(&mut points, number, input);
+        add(&mut points, number + 1, output);
     }
-    spots
+    points
 }

@@ -33,7 +33,7 @@ mod tests;
 use super::Trace;
 use super::hinge::dot;
 use crate::math::Scalar;
-use factorization::{FactorStep, RemainingRows, factorised};
+use factorization::{FactorStep, RemainingRows, factorize};
 use null_space::{null_directions, orthonormal};
 
 /// Reactions and what they do not determine.
@@ -62,22 +62,22 @@ impl<S: Scalar> ConstraintForces<S> {
 #[derive(Clone, Debug)]
 pub struct ConstraintSystem<S> {
     /// What `Λ` is the sum of, outside of repeated parts.
-    pub dofs: Vec<DelassusTerm<S>>,
+    pub terms: Vec<DelassusTerm<S>>,
     /// The part of `Λ` that repeated parts add, below its diagonal and on it, by rows.
     pub repeated: Vec<Vec<S>>,
     /// `s`
-    pub sizes: Vec<S>,
+    pub scales: Vec<S>,
     /// `b`
-    pub right: Vec<S>,
+    pub rhs: Vec<S>,
     /// Rank and rounding of the linkage.
-    pub linkage: ConstraintRank<S>,
+    pub rank: ConstraintRank<S>,
 }
 
 /// The part of `Λ` that a degree of freedom adds: `t tᵀ / D`.
 #[derive(Clone, Debug)]
 pub struct DelassusTerm<S> {
     /// `t`
-    pub along: Vec<S>,
+    pub t: Vec<S>,
     /// `1 / D`
     pub inverse: S,
 }
@@ -89,7 +89,7 @@ pub struct ConstraintRank<S> {
     pub rank: Rank<S>,
     /// How many units in the last place of `s_i` rounding leaves of the square of a row to which
     /// repeated parts have added.
-    pub noise: f64,
+    pub rounding: f64,
 }
 
 /// How many directions of a closing hinge are independent anywhere on the closure.
@@ -103,39 +103,39 @@ pub enum Rank<S> {
 
 /// Solves for the reactions.
 pub fn solve<S: Scalar>(system: &ConstraintSystem<S>, trace: &mut Trace<S>) -> ConstraintForces<S> {
-    let (pivots, left) = factorised(system);
+    let (pivots, left) = factorize(system);
     for (k, pivot) in pivots.iter().enumerate() {
-        trace.number(format!("closure_d{k}"), pivot.value);
+        trace.number(format!("closure_d{k}"), pivot.pivot);
     }
     let is_regular = system.is_regular(&left);
     let excess = excess(system, &pivots, &left);
     let undetermined = orthonormal(null_directions(&pivots, left));
     // Without redundant directions L is square, and fewer operations do.
     let reactions = if is_regular {
-        let found = substituted(&pivots, system.right.clone());
-        undetermined.iter().fold(found, |x, unit| without(x, unit))
+        let found = substituted(&pivots, system.rhs.clone());
+        undetermined.iter().fold(found, |x, unit| project_out(x, unit))
     } else {
-        least_norm(&pivots, &system.right)
+        least_norm(&pivots, &system.rhs)
     };
     for (k, &reaction) in reactions.iter().enumerate() {
         trace.number(format!("closure_reaction{k}"), reaction);
     }
-    let pivots = pivots.iter().map(|pivot| pivot.measured).collect();
+    let pivots = pivots.iter().map(|pivot| pivot.relative_pivot).collect();
     ConstraintForces { reactions, undetermined, pivots, excess }
 }
 
 /// `L⁻ᵀ D⁻¹ L⁻¹ b`, where `L` is square except for the rows of pivots that are rounding.
 fn substituted<S: Scalar>(pivots: &[FactorStep<S>], mut right: Vec<S>) -> Vec<S> {
     let mut amounts = Vec::new();
-    for FactorStep { choice, column, inverse, .. } in pivots {
-        let amount = dot(choice, &right);
+    for FactorStep { selector, column, inverse, .. } in pivots {
+        let amount = dot(selector, &right);
         right = plus_scaled(right, column, -amount);
         amounts.push(amount * *inverse);
     }
     let zero = vec![S::zero(); right.len()];
     pivots.iter().zip(amounts).rev().fold(zero, |x, (pivot, amount)| {
         let step = amount - dot(&pivot.column, &x);
-        plus_scaled(x, &pivot.choice, step)
+        plus_scaled(x, &pivot.selector, step)
     })
 }
 
@@ -182,14 +182,18 @@ fn excess<S: Scalar>(
     let steps = system.steps(left);
     let (mut before, mut excess) = (S::one(), S::zero());
     for (pivot, &allowed) in pivots.iter().zip(&steps) {
-        excess = excess + pivot.measured * (before - allowed);
+        excess = excess + pivot.relative_pivot * (before - allowed);
         before = allowed;
     }
-    if pivots.len() < left.alive.len() { excess + left.excess(system) * before } else { excess }
+    if pivots.len() < left.candidates.len() {
+        excess + left.excess(system) * before
+    } else {
+        excess
+    }
 }
 
 /// `x` without its part along a unit vector, or along nothing.
-fn without<S: Scalar>(x: Vec<S>, unit: &[S]) -> Vec<S> {
+fn project_out<S: Scalar>(x: Vec<S>, unit: &[S]) -> Vec<S> {
     let along = dot(&x, unit);
     plus_scaled(x, unit, -along)
 }

@@ -6,11 +6,11 @@
 //! (1)  `T = Σ ½ m ṙᵀ ṙ + ṙᵀ (Ω × m r_C) + ½ Ωᵀ J Ω + ½ I ṡ²`
 //! (2)  `V = −Σ gᵀ (m r + A m r_C) + springs and stops`
 
-use super::base_parameters::redistribute;
+use super::base_parameters::to_base_parameters;
 use super::hinge::PassiveElements;
 use super::kinematics::poses;
 use super::loads::spring_energy;
-use super::loop_hinge::closing;
+use super::loop_hinge::loop_hinge;
 use super::sweep::Flatten;
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Scalar, Vec3};
@@ -38,7 +38,7 @@ pub struct Energy<S> {
 pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Energy<S> {
     // First moments and inertias are constant in body axes.
     let mut links = kinematics(context, Axes::Body, trace);
-    redistribute(context, &mut links, trace);
+    to_base_parameters(context, &mut links, trace);
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &context.chain.gravity {
@@ -49,18 +49,18 @@ pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Ener
     let start = Energy { kinetic: S::zero(), potential: spring_energy(context, None) };
     let mut energy = context.tree.total(start, |index, mut energy| {
         let (link, pose) = (&links[index], &poses[index]);
-        let beside = link.omega.cross(link.moment);
+        let beside = link.omega.cross(link.first_moment);
         let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
         let turning = link.inertia.quadratic_form(link.omega);
         energy.kinetic = energy.kinetic + shifting + turning * half;
-        let first_moment = pose.position * link.mass + pose.to_inertial * link.moment;
+        let first_moment = pose.position * link.mass + pose.to_inertial * link.first_moment;
         energy.potential = energy.potential - gravity.dot(first_moment);
         energy.potential = energy.potential + spring_energy(context, Some((index, link, pose)));
         energy.add_passives(&link.hinge.passives);
         energy
     });
-    if let Some(closing) = closing(context, Axes::Body, &links) {
-        energy.add_passives(&closing.hinge.passives);
+    if let Some(loop_hinge) = loop_hinge(context, Axes::Body, &links) {
+        energy.add_passives(&loop_hinge.hinge.passives);
     }
     energy
 }

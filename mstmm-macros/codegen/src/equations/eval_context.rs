@@ -228,7 +228,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         };
         let times = |link: &Link| self.chain.repetitions(Element::Hinge(link.hinge));
         let links: usize = self.layout.links.iter().map(times).sum();
-        ConstraintRank { rank, noise: ROUNDINGS * (links + 2) as f64 }
+        ConstraintRank { rank, rounding: ROUNDINGS * (links + 2) as f64 }
     }
 
     /// Gravity as an acceleration of the ground: cheaper than a force on every body.

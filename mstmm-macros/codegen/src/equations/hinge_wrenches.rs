@@ -8,26 +8,28 @@
 
 use super::Trace;
 use super::motion_problem::{MotionProblem, MotionSolution};
-use super::strategy::LONGEST_SUM;
+use super::strategy::MAX_SUMMED_BODIES;
 use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Scalar, Wrench};
 
 /// On the child's side of every link's hinge, about the link's point, in its work axes; where the
 /// hinge frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
-pub fn transmitted<S: Scalar>(
+pub fn hinge_wrenches<S: Scalar>(
     problem: &MotionProblem<S>,
-    movement: &MotionSolution<S>,
+    solution: &MotionSolution<S>,
     trace: &mut Trace<S>,
 ) -> PerLink<Wrench<S>> {
-    let mut wrenches = from_the_free_end(problem, movement);
-    if let Some(demand) = &problem.closing {
-        let reaction = demand.closing.wrench(demand.given, &movement.closure.reactions);
-        if let Some((child, on_child)) = demand.closing.on_child(reaction) {
+    let mut wrenches = sum_inward(problem, solution);
+    if let Some(constraints) = &problem.loop_constraints {
+        let reaction = constraints
+            .loop_hinge
+            .wrench(constraints.applied, &solution.constraint_forces.reactions);
+        if let Some((child, on_child)) = constraints.loop_hinge.wrench_on_child(reaction) {
             wrenches[child] = wrenches[child] - on_child;
         }
     }
-    let released = |(index, &wrench): (LinkId, &Wrench<S>)| {
+    let with_efforts = |(index, &wrench): (LinkId, &Wrench<S>)| {
         let hinge = &problem.links[index].hinge;
         let wrench = hinge.basis.with_applied_efforts(wrench, &hinge.efforts);
         trace.section(
@@ -38,55 +40,59 @@ pub fn transmitted<S: Scalar>(
         trace.wrench(&format!("{}_load", hinge.name), wrench);
         wrench
     };
-    wrenches.enumerate().map(released).collect()
+    wrenches.enumerate().map(with_efforts).collect()
 }
 
 /// From what every body's own motion takes and its children pass on; where that would be a long
 /// sum, or one over the repetitions of a part, from what comes over from the parent, with the
 /// relation of the way to the ground.
-fn from_the_free_end<S: Scalar>(
+fn sum_inward<S: Scalar>(
     problem: &MotionProblem<S>,
-    movement: &MotionSolution<S>,
+    solution: &MotionSolution<S>,
 ) -> PerLink<Wrench<S>> {
-    let of = |(index, &load): (LinkId, &Wrench<S>)| {
-        problem.inertia(index).times(movement.points[index]) + load
+    let own = |(index, &load): (LinkId, &Wrench<S>)| {
+        problem.inertia(index).times(solution.link_accelerations[index]) + load
     };
-    let mut wrenches: PerLink<Wrench<S>> = problem.loads.enumerate().map(of).collect();
-    if let (Some(demand), Some((link, pulls))) = (&problem.closing, problem.pulls()) {
-        let given = wrenches[link] + demand.closing.hinge.wrench_to_parent(demand.given);
-        wrenches[link] = pulled(given, &pulls, &movement.closure.reactions);
+    let mut wrenches: PerLink<Wrench<S>> = problem.bias_forces.enumerate().map(own).collect();
+    if let (Some(constraints), Some((link, constraint_wrenches))) =
+        (&problem.loop_constraints, problem.constraint_wrenches())
+    {
+        let given =
+            wrenches[link] + constraints.loop_hinge.hinge.wrench_to_parent(constraints.applied);
+        wrenches[link] =
+            with_reactions(given, &constraint_wrenches, &solution.constraint_forces.reactions);
     }
-    let by_relation = by_relation(problem, movement);
-    let of = |(wrench, &elsewhere)| WrenchSum(if elsewhere { None } else { Some(wrench) });
-    let own = wrenches.into_iter().zip(&by_relation).map(of).collect();
+    let uses_affine_wrench = uses_affine_wrench(problem, solution);
+    let own = |(wrench, &elsewhere)| WrenchSum(if elsewhere { None } else { Some(wrench) });
+    let sums = wrenches.into_iter().zip(&uses_affine_wrench).map(own).collect();
     let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
         let wrench = sum.unwrap_or_else(|| {
-            let a = problem.parent(link, &movement.points);
-            movement.relations[link].at(problem.motion_from_parent(link, a))
+            let a = problem.parent_acceleration(link, &solution.link_accelerations);
+            solution.affine_wrenches[link].at(problem.acceleration_from_parent(link, a))
         });
         let hinge = &problem.links[link].hinge;
         let released = hinge.basis.with_applied_efforts(wrench, &hinge.efforts);
         parent.add(|| hinge.wrench_to_parent(released));
         wrench
     };
-    problem.tree.inward(own, WrenchSum(None), step).0
+    problem.tree.inward(sums, WrenchSum(None), step).0
 }
 
 /// Which hinges are not to be summed up for.
-fn by_relation<S: Scalar>(
+fn uses_affine_wrench<S: Scalar>(
     problem: &MotionProblem<S>,
-    movement: &MotionSolution<S>,
+    solution: &MotionSolution<S>,
 ) -> PerLink<bool> {
-    if movement.relations.is_empty() {
+    if solution.affine_wrenches.is_empty() {
         return PerLink::filled(false, problem.links.len());
     }
     let own = PerLink::filled(BodyCount(1), problem.links.len());
     let step = |link: LinkId, BodyCount(count): BodyCount, parent: &mut BodyCount| {
         let at_boundary = problem.tree.is_boundary(link);
-        let is_chosen = at_boundary || count > LONGEST_SUM;
+        let is_chosen = at_boundary || count > MAX_SUMMED_BODIES;
         // What is beyond a boundary is another repetition's, and cannot be added up at all.
         let beyond = match is_chosen {
-            _ if at_boundary => LONGEST_SUM,
+            _ if at_boundary => MAX_SUMMED_BODIES,
             true => 0,
             false => count,
         };
@@ -127,6 +133,13 @@ impl<S> Flatten<S> for BodyCount {
 }
 
 /// With the reactions of a closing hinge.
-fn pulled<S: Scalar>(wrench: Wrench<S>, pulls: &[Wrench<S>], reactions: &[S]) -> Wrench<S> {
-    pulls.iter().zip(reactions).fold(wrench, |sum, (&pull, &amount)| sum + pull.scaled(amount))
+fn with_reactions<S: Scalar>(
+    wrench: Wrench<S>,
+    constraint_wrenches: &[Wrench<S>],
+    reactions: &[S],
+) -> Wrench<S> {
+    constraint_wrenches
+        .iter()
+        .zip(reactions)
+        .fold(wrench, |sum, (&pull, &reaction)| sum + pull.scaled(reaction))
 }

@@ -15,10 +15,10 @@
 //! | `F = A a + p + Σ Xᵀ F_c` | what the hinge exerts on its part, from those of its children (2) | work axes of the link |
 //! | `τ = Sᵀ F − τ_passive` | what the drive must supply, `τ_passive` of springs, dampers, friction and stops, less what rates alone demand of rotors (3) | rates |
 
-use super::base_parameters::redistribute;
+use super::base_parameters::to_base_parameters;
 use super::kinematics::LinkKinematics;
 use super::loads::loads;
-use super::loop_hinge::closing;
+use super::loop_hinge::loop_hinge;
 use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, kinematics};
@@ -36,18 +36,19 @@ pub fn bias_efforts<S: Scalar>(
 ) -> Vec<S> {
     let layout = context.layout;
     let mut links = kinematics(context, axes, trace);
-    let closing = closing(context, axes, &links);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, closing.is_some()) {
-        redistribute(context, &mut links, trace);
+    let loop_hinge = loop_hinge(context, axes, &links);
+    if uses_base_parameters(SolutionMethod::Riccati, axes, loop_hinge.is_some()) {
+        to_base_parameters(context, &mut links, trace);
     }
     let along = efforts(context, &links, trace);
     let mut efforts = vec![S::zero(); layout.dof_count()];
     links.iter().zip(along).for_each(|(link, along)| {
         efforts[layout.v[link.hinge.id].clone()].copy_from_slice(&along);
     });
-    if let Some(closing) = closing {
-        let range = layout.v[closing.hinge.id].clone();
-        for (effort, &passive) in efforts[range].iter_mut().zip(&closing.hinge.passives.efforts) {
+    if let Some(loop_hinge) = loop_hinge {
+        let range = layout.v[loop_hinge.hinge.id].clone();
+        for (effort, &passive) in efforts[range].iter_mut().zip(&loop_hinge.hinge.passives.efforts)
+        {
             *effort = -passive;
         }
     }

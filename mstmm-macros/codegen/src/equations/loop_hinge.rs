@@ -38,9 +38,9 @@ pub struct LoopHinge<S> {
     /// Work axes of the outboard link to those of the hinge.
     child_to_work: Mat3<S>,
     /// The directions that it holds.
-    pub held: Vec<Constraint<S>>,
+    pub constraints: Vec<Constraint<S>>,
     /// `W`: wrenches that do work on one rate each.
-    pub duals: Vec<Wrench<S>>,
+    pub active_forces: Vec<Wrench<S>>,
 }
 
 /// A direction that a closing hinge holds.
@@ -53,7 +53,7 @@ pub struct Constraint<S> {
 }
 
 /// The closing hinge, if there is one.
-pub fn closing<S: Scalar>(
+pub fn loop_hinge<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
     links: &PerLink<LinkKinematics<S>>,
@@ -75,17 +75,19 @@ pub fn closing<S: Scalar>(
     let child_to_work = hinge.child_to_work * (part_to_work * (rotation * alignment)).transposed();
     let child_arm = part_to_work * (origin - point);
     let to_work = Rotation::from_matrix(hinge.child_to_work);
-    let duals: Vec<Wrench<S>> =
-        duals(&hinge.aligned_subspace).into_iter().map(|dual| dual.rotated(&to_work)).collect();
-    let held = held(context, index, &hinge, &duals);
-    Some(LoopHinge { hinge, parent, child, child_arm, child_to_work, held, duals })
+    let active_forces: Vec<Wrench<S>> = active_forces(&hinge.aligned_subspace)
+        .into_iter()
+        .map(|force| force.rotated(&to_work))
+        .collect();
+    let constraints = constraints(context, index, &hinge, &active_forces);
+    Some(LoopHinge { hinge, parent, child, child_arm, child_to_work, constraints, active_forces })
 }
 
-fn held<S: Scalar>(
+fn constraints<S: Scalar>(
     context: &EvalContext<S>,
     index: HingeId,
     hinge: &HingeKinematics<S>,
-    duals: &[Wrench<S>],
+    active_forces: &[Wrench<S>],
 ) -> Vec<Constraint<S>> {
     let axes = context.chain.dimension.axes();
     let fixed = |wrench| Constraint { wrench, inertia: S::zero() };
@@ -93,25 +95,25 @@ fn held<S: Scalar>(
         return axes.iter().map(|&axis| fixed(Wrench::unit(axis))).collect();
     }
     let to_work = Rotation::from_matrix(hinge.child_to_work);
-    let complement = complement(&hinge.aligned_subspace, axes).into_iter();
+    let null_space = null_space(&hinge.aligned_subspace, axes).into_iter();
     let mut all: Vec<Constraint<S>> =
-        complement.map(|held| fixed(held.rotated(&to_work))).collect();
+        null_space.map(|wrench| fixed(wrench.rotated(&to_work))).collect();
     let inertias = hinge.passives.inertias.iter().enumerate();
     for (strain, &inertia) in inertias.filter(|(_, inertia)| !inertia.vanishes()) {
-        let wrench = along_strain(hinge, duals, strain).scaled(-inertia);
+        let wrench = strain_force(hinge, active_forces, strain).scaled(-inertia);
         all.push(Constraint { wrench, inertia });
     }
     all
 }
 
 /// The wrench that does work on one strain rate only.
-fn along_strain<S: Scalar>(
+fn strain_force<S: Scalar>(
     hinge: &HingeKinematics<S>,
-    duals: &[Wrench<S>],
+    active_forces: &[Wrench<S>],
     strain: usize,
 ) -> Wrench<S> {
-    let rates = duals.iter().zip(&hinge.passives.strains.jacobian[strain]);
-    rates.fold(Wrench::zero(), |sum, (&dual, &x)| sum + dual.scaled(x))
+    let rates = active_forces.iter().zip(&hinge.passives.strains.jacobian[strain]);
+    rates.fold(Wrench::zero(), |sum, (&force, &x)| sum + force.scaled(x))
 }
 
 /// Unit wrenches across each other that do no work on any of the motions, among the axes that
@@ -120,7 +122,7 @@ fn along_strain<S: Scalar>(
 /// Axes along which nothing moves are in it as they are. Among the others each motion takes one
 /// direction away, by a reflection; the motions with the fewest entries come first, since one along
 /// an axis takes that axis and nothing else.
-fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
+fn null_space<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
     let present = |motion: &Motion<S>, k: usize| !motion.at(k).vanishes();
     let moves = |k: usize| motions.iter().any(|motion| present(motion, k));
     let (moving, still): (Vec<usize>, Vec<usize>) = axes.iter().partition(|&&k| moves(k));
@@ -138,19 +140,19 @@ fn complement<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>
 }
 
 /// Wrenches each of which does work on one of the motions and none on the others.
-fn duals<S: Scalar>(motions: &[Motion<S>]) -> Vec<Wrench<S>> {
+fn active_forces<S: Scalar>(motions: &[Motion<S>]) -> Vec<Wrench<S>> {
     let as_wrench = |m: Motion<S>| Wrench { force: m.linear, moment: m.angular };
     let products: Vec<Vec<S>> =
         motions.iter().map(|a| motions.iter().map(|&b| a.power(as_wrench(b))).collect()).collect();
-    let inverse = inverse_of_products(&products);
-    let dual = |row: &Vec<S>| {
+    let inverse = symmetric_inverse(&products);
+    let force = |row: &Vec<S>| {
         motions.iter().zip(row).fold(Wrench::zero(), |sum, (&m, &x)| sum + as_wrench(m).scaled(x))
     };
-    inverse.iter().map(dual).collect()
+    inverse.iter().map(force).collect()
 }
 
 /// The inverse of a symmetric positive matrix, by Gauß and Jordan.
-fn inverse_of_products<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
+fn symmetric_inverse<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
     let count = products.len();
     let mut left = products.to_vec();
     let (mut right, _) = hinge::identity(count);
@@ -181,19 +183,19 @@ impl<S: Scalar> VectorSpace<S> for Wrench<S> {
 
 impl<S: Scalar> LoopHinge<S> {
     /// The motion of its outboard side at the hinge, work axes.
-    pub fn of_child(&self, motion: Motion<S>) -> Motion<S> {
+    pub fn motion_from_child(&self, motion: Motion<S>) -> Motion<S> {
         motion.shifted_to(self.child_arm).rotated(self.child_to_work)
     }
 
     /// The wrench on its outboard side, as one about the point of the outboard link in that link's
     /// work axes, and that link.
-    pub fn on_child(&self, wrench: Wrench<S>) -> Option<(LinkId, Wrench<S>)> {
+    pub fn wrench_on_child(&self, wrench: Wrench<S>) -> Option<(LinkId, Wrench<S>)> {
         let back = Rotation::from_matrix(self.child_to_work);
         Some((self.child?, wrench.rotated_back(&back).shifted_from(self.child_arm)))
     }
 
     /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
-    pub fn child_drift(&self, links: &PerLink<LinkKinematics<S>>) -> Motion<S> {
+    pub fn child_bias_acceleration(&self, links: &PerLink<LinkKinematics<S>>) -> Motion<S> {
         let omega = self.child.map_or(Vec3::zero(), |child| links[child].omega);
         let linear = self.child_to_work * self.child_arm.centripetal(omega);
         Motion { linear, angular: Vec3::zero() }
@@ -201,16 +203,16 @@ impl<S: Scalar> LoopHinge<S> {
 
     /// Rates of the hinge, or their changes, that belong to a motion against the inboard side.
     pub fn rates(&self, relative: Motion<S>) -> Vec<S> {
-        self.duals.iter().map(|&dual| relative.power(dual)).collect()
+        self.active_forces.iter().map(|&force| relative.power(force)).collect()
     }
 
     /// The wrench on its outboard side that efforts along its rates exert.
-    pub fn given(&self, efforts: &[S]) -> Wrench<S> {
+    pub fn applied_wrench(&self, efforts: &[S]) -> Wrench<S> {
         if self.is_prescribed() {
             return Wrench::zero();
         }
-        let all = self.duals.iter().zip(efforts);
-        all.fold(Wrench::zero(), |sum, (&dual, &effort)| sum + dual.scaled(effort))
+        let all = self.active_forces.iter().zip(efforts);
+        all.fold(Wrench::zero(), |sum, (&force, &effort)| sum + force.scaled(effort))
     }
 
     fn is_prescribed(&self) -> bool {
@@ -218,15 +220,15 @@ impl<S: Scalar> LoopHinge<S> {
     }
 
     /// The wrench on its outboard side.
-    pub fn wrench(&self, given: Wrench<S>, reactions: &[S]) -> Wrench<S> {
-        let all = self.held.iter().zip(reactions);
-        all.fold(given, |sum, (held, &reaction)| sum + held.wrench.scaled(reaction))
+    pub fn wrench(&self, applied: Wrench<S>, reactions: &[S]) -> Wrench<S> {
+        let all = self.constraints.iter().zip(reactions);
+        all.fold(applied, |sum, (constraint, &reaction)| sum + constraint.wrench.scaled(reaction))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::complement;
+    use super::null_space;
     use crate::math::{Motion, Scalar, Structured, Vec3};
 
     /// Motions by their entries; zeros are known.
@@ -246,14 +248,14 @@ mod tests {
         let all: [&[[f64; 6]]; 5] = [&[], &[screw], &universal, &skew, &ball];
         for entries in all {
             let motions = motions(entries);
-            let held = complement(&motions, &[0, 1, 2, 3, 4, 5]);
-            assert_eq!(held.len(), 6 - motions.len());
-            for (i, wrench) in held.iter().enumerate() {
+            let wrenches = null_space(&motions, &[0, 1, 2, 3, 4, 5]);
+            assert_eq!(wrenches.len(), 6 - motions.len());
+            for (i, wrench) in wrenches.iter().enumerate() {
                 for motion in &motions {
                     // Entries up to one, a dozen roundings.
                     assert!(motion.power(*wrench).value().abs() < 12.0 * f64::EPSILON);
                 }
-                for (j, other) in held.iter().enumerate() {
+                for (j, other) in wrenches.iter().enumerate() {
                     let products = (0..6).map(|k| wrench.at(k).value() * other.at(k).value());
                     let error = products.sum::<f64>() - f64::from(u8::from(i == j));
                     assert!(error.abs() < 12.0 * f64::EPSILON, "{i} {j}: {error}");
@@ -265,7 +267,7 @@ mod tests {
     #[test]
     fn directions_along_axes_stay_whole() {
         let pin = motions(&[[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]);
-        for wrench in complement(&pin, &[0, 1, 2, 3, 4, 5]) {
+        for wrench in null_space(&pin, &[0, 1, 2, 3, 4, 5]) {
             let present: Vec<usize> = (0..6).filter(|&k| !wrench.at(k).vanishes()).collect();
             assert_eq!(present.len(), 1);
         }

@@ -51,12 +51,13 @@ mod transfer;
 pub use energy::{Energy, energy};
 pub use eval_context::EvalContext;
 pub use forward_dynamics::{
-    ForwardDynamics, LoopReaction, OutboardState, SweepResult, accelerations, sweep,
+    ForwardDynamics, LoopReaction, OutboardState, SweepResult, forward_dynamics,
+    forward_dynamics_with_wrenches,
 };
 pub use inverse_dynamics::bias_efforts;
 pub use kinematics::{LinkKinematics, kinematics};
 pub use motion_problem::HingePivot;
-pub use projection::{Projection, correction, moved};
+pub use projection::{Projection, displace, project};
 pub use report::{FramedVector, PointState, Report, report};
 pub use strategy::{AXES, Axes};
 pub use sweep::{LinkTree, LoopHook};

@@ -31,33 +31,33 @@ pub struct MotionProblem<'a, S> {
     /// The links, for sweeps.
     pub tree: LinkTree<'a, S>,
     /// What joins `a` at every link on the way from its parent.
-    pub drift: PerLink<BiasAcceleration<S>>,
+    pub bias_accelerations: PerLink<BiasAcceleration<S>>,
     /// The part of the wrench at every link's point that does not hang on `a`, of its part alone.
-    pub loads: PerLink<Wrench<S>>,
+    pub bias_forces: PerLink<Wrench<S>>,
     /// Efforts along the columns of every link.
     pub efforts: PerLink<Vec<S>>,
     /// `a` of the ground.
-    pub ground: Motion<S>,
+    pub base_acceleration: Motion<S>,
     /// The hinge that closes the chain, with what it demands, if there is one.
-    pub closing: Option<LoopConstraints<'a, S>>,
+    pub loop_constraints: Option<LoopConstraints<'a, S>>,
     /// What the links had before their inertias were redistributed, if they were.
-    pub given: Option<PerLink<OriginalInertia<S>>>,
+    pub original_inertias: Option<PerLink<OriginalInertia<S>>>,
     /// Inertia that a link has besides its own, if any.
-    pub added: Option<(LinkId, SpatialInertia<S>)>,
+    pub added_inertia: Option<(LinkId, SpatialInertia<S>)>,
 }
 
 /// What a closing hinge demands.
 #[derive(Clone, Debug)]
 pub struct LoopConstraints<'a, S> {
     /// The hinge.
-    pub closing: &'a LoopHinge<S>,
+    pub loop_hinge: &'a LoopHinge<S>,
     /// What `a` of the point reached from the inboard side has to be along each of the closing's
     /// directions: `r_j` of `T_jᵀ a = r_j`.
-    pub reached: Vec<S>,
+    pub targets: Vec<S>,
     /// The wrench in the closing hinge that does not hang on its reactions.
-    pub given: Wrench<S>,
+    pub applied: Wrench<S>,
     /// What there is to know of the linkage.
-    pub linkage: ConstraintRank<S>,
+    pub rank: ConstraintRank<S>,
 }
 
 /// `F = Iᴬ a' + pᴬ`: what a hinge transmits, with `a'` of the parent carried over.
@@ -66,13 +66,13 @@ pub struct AffineWrench<S> {
     /// `Iᴬ`
     pub inertia: SpatialInertia<S>,
     /// `pᴬ`
-    pub bias: Wrench<S>,
+    pub bias_force: Wrench<S>,
 }
 
 impl<S: Scalar> AffineWrench<S> {
     /// `F` with this `a'`.
     pub fn at(&self, a: Motion<S>) -> Wrench<S> {
-        self.inertia.times(a) + self.bias
+        self.inertia.times(a) + self.bias_force
     }
 }
 
@@ -80,14 +80,14 @@ impl<S: Scalar> AffineWrench<S> {
 #[derive(Clone, Debug)]
 pub struct MotionSolution<S> {
     /// Amounts of every link's free columns.
-    pub amounts: PerLink<Vec<S>>,
+    pub basis_accelerations: PerLink<Vec<S>>,
     /// `a` of every link's point.
-    pub points: PerLink<Motion<S>>,
+    pub link_accelerations: PerLink<Motion<S>>,
     /// What every link's hinge transmits, if that is known without what hangs on it: not where
     /// reactions of a closing hinge join.
-    pub relations: PerLink<AffineWrench<S>>,
+    pub affine_wrenches: PerLink<AffineWrench<S>>,
     /// Reactions along the closing's directions, and what they do not determine.
-    pub closure: ConstraintForces<S>,
+    pub constraint_forces: ConstraintForces<S>,
 }
 
 impl<S: Scalar> MotionProblem<'_, S> {
@@ -95,7 +95,9 @@ impl<S: Scalar> MotionProblem<'_, S> {
     /// with `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose
     /// before the chain is closed.
     pub fn with_added_inertia(mut self) -> Self {
-        let (Some(demand), Some((link, pulls))) = (&self.closing, self.pulls()) else {
+        let (Some(constraints), Some((link, wrenches))) =
+            (&self.loop_constraints, self.constraint_wrenches())
+        else {
             return self;
         };
         let mass = self.links.iter().fold(S::zero(), |sum, link| sum + link.mass);
@@ -103,68 +105,80 @@ impl<S: Scalar> MotionProblem<'_, S> {
             sum + link.inertia.trace() + link.mass * link.hinge.arm.dot(link.hinge.arm)
         });
         let mut added = SpatialInertia::from_fn(|_, _| S::zero());
-        let mut load = self.loads[link];
-        for ((held, pull), &reached) in demand.closing.held.iter().zip(&pulls).zip(&demand.reached)
+        let mut load = self.bias_forces[link];
+        for ((constraint, wrench), &target) in
+            constraints.loop_hinge.constraints.iter().zip(&wrenches).zip(&constraints.targets)
         {
-            if !held.inertia.vanishes() {
+            if !constraint.inertia.vanishes() {
                 continue;
             }
-            let turns = held.wrench.force.0.iter().all(|part| part.vanishes());
-            let along = pull.scaled(if turns { inertia } else { mass });
-            added = added + SpatialInertia::from_fn(|i, j| along.at(i) * pull.at(j));
-            load = load - along.scaled(reached);
+            let is_angular = constraint.wrench.force.0.iter().all(|part| part.vanishes());
+            let along = wrench.scaled(if is_angular { inertia } else { mass });
+            added = added + SpatialInertia::from_fn(|i, j| along.at(i) * wrench.at(j));
+            load = load - along.scaled(target);
         }
-        self.loads[link] = load;
-        self.added = Some((link, added));
+        self.bias_forces[link] = load;
+        self.added_inertia = Some((link, added));
         self
     }
 
     /// The inertia that links `a` and `F` at a link's point.
     pub fn inertia(&self, link: LinkId) -> SpatialInertia<S> {
         let own = self.links[link].spatial_inertia();
-        match self.added {
+        match self.added_inertia {
             Some((to, added)) if to == link => own + added,
             _ => own,
         }
     }
 
     /// What measures pivots along shifts and turns of a link's own part.
-    pub fn scales(&self, link: LinkId) -> (S, S) {
+    pub fn pivot_scales(&self, link: LinkId) -> (S, S) {
         let inertia = self.inertia(link);
         let own = (inertia.linear.at(0, 0), inertia.angular.trace());
-        self.given.as_ref().map_or(own, |given| given[link].scales)
+        self.original_inertias.as_ref().map_or(own, |originals| originals[link].scales)
     }
 
     /// The mass that a link has given to its parent.
-    pub fn given_mass(&self, link: LinkId) -> S {
-        self.given.as_ref().map_or(S::zero(), |given| given[link].mass)
+    pub fn transferred_mass(&self, link: LinkId) -> S {
+        self.original_inertias
+            .as_ref()
+            .map_or(S::zero(), |originals| originals[link].transferred_mass)
     }
 
     /// `a` of a link's point but for the hinge's own columns, from `a` of its parent's point.
-    pub fn motion_from_parent(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
-        self.links[link].hinge.acceleration_from_parent(parent, self.drift[link])
+    pub fn acceleration_from_parent(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
+        self.links[link].hinge.acceleration_from_parent(parent, self.bias_accelerations[link])
     }
 
     /// `a` of the point of a link's parent, from those of all links.
-    pub fn parent(&self, link: LinkId, points: &PerLink<Motion<S>>) -> Motion<S> {
-        self.links[link].parent.map_or(self.ground, |parent| points[parent])
+    pub fn parent_acceleration(
+        &self,
+        link: LinkId,
+        accelerations: &PerLink<Motion<S>>,
+    ) -> Motion<S> {
+        self.links[link].parent.map_or(self.base_acceleration, |parent| accelerations[parent])
     }
 
     /// The wrenches with which the closing's reactions pull at the link that it hangs on, about its
     /// point, and that link.
-    pub fn pulls(&self) -> Option<(LinkId, Vec<Wrench<S>>)> {
-        let closing = self.closing.as_ref()?.closing;
-        let parent = closing.parent?;
-        let pulls =
-            closing.held.iter().map(|held| closing.hinge.wrench_to_parent(held.wrench)).collect();
-        Some((parent, pulls))
+    pub fn constraint_wrenches(&self) -> Option<(LinkId, Vec<Wrench<S>>)> {
+        let loop_hinge = self.loop_constraints.as_ref()?.loop_hinge;
+        let parent = loop_hinge.parent?;
+        let wrenches = loop_hinge
+            .constraints
+            .iter()
+            .map(|constraint| loop_hinge.hinge.wrench_to_parent(constraint.wrench))
+            .collect();
+        Some((parent, wrenches))
     }
 
     /// What the closing demands where it hangs on the ground, or on no link at all.
-    pub fn at_rest(&self) -> Vec<S> {
-        let Some(LoopConstraints { closing, .. }) = &self.closing else { return Vec::new() };
-        let a = closing.hinge.motion_from_parent(self.ground);
-        closing.held.iter().map(|held| a.power(held.wrench)).collect()
+    pub fn gamma_on_ground(&self) -> Vec<S> {
+        let Some(LoopConstraints { loop_hinge, .. }) = &self.loop_constraints else {
+            return Vec::new();
+        };
+        let a = loop_hinge.hinge.motion_from_parent(self.base_acceleration);
+        loop_hinge.constraints.iter().map(|constraint| a.power(constraint.wrench)).collect()
     }
 }
 
@@ -173,15 +187,18 @@ impl<S: Scalar> MotionSolution<S> {
     /// is.
     pub fn rates(&self, links: &PerLink<LinkKinematics<S>>, layout: &Layout) -> Vec<S> {
         let mut rates = vec![S::zero(); layout.dof_count()];
-        links.iter().zip(&self.amounts).for_each(|(LinkKinematics { hinge, .. }, amounts)| {
-            rates[layout.v[hinge.id].clone()].copy_from_slice(&hinge.basis.to_rates(amounts));
-        });
+        links.iter().zip(&self.basis_accelerations).for_each(
+            |(LinkKinematics { hinge, .. }, accelerations)| {
+                rates[layout.v[hinge.id].clone()]
+                    .copy_from_slice(&hinge.basis.to_rates(accelerations));
+            },
+        );
         rates
     }
 }
 
 /// `Σ motion · amount` of columns.
-pub fn moved<S: Scalar>(link: &LinkKinematics<S>, amounts: &[S]) -> Motion<S> {
+pub fn basis_motion<S: Scalar>(link: &LinkKinematics<S>, amounts: &[S]) -> Motion<S> {
     let columns = link.hinge.basis.columns.iter().map(|column| column.motion());
     columns.zip(amounts).fold(Motion::zero(), |sum, (motion, &x)| sum + motion.scaled(x))
 }

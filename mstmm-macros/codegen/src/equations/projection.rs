@@ -8,7 +8,7 @@
 
 use super::hinge::{coordinate_rates, dot, normalized};
 use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
-use super::loop_hinge::{LoopHinge, closing};
+use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::motion_problem::{LoopConstraints, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, kinematics, riccati};
@@ -32,38 +32,39 @@ pub struct Projection<S> {
 }
 
 /// The correction; nothing for a chain that is not closed.
-pub fn correction<S: Scalar>(
-    context: &EvalContext<S>,
-    trace: &mut Trace<S>,
-) -> Option<Projection<S>> {
+pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Option<Projection<S>> {
     let links = kinematics(context, Axes::Body, trace);
-    let closing = closing(context, Axes::Body, &links)?;
+    let loop_hinge = loop_hinge(context, Axes::Body, &links)?;
     let poses = poses(context, &links);
-    let apart = gap(context, &links, &closing, &poses);
-    let parting = parting(&links, &closing, &poses);
+    let position_error = position_error(context, &links, &loop_hinge, &poses);
+    let velocity_error = velocity_error(&links, &loop_hinge, &poses);
     let size = |motion: Motion<S>| {
         let axes = context.chain.dimension.axes();
         let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
         dot(&entries, &entries)
     };
-    let (coordinates, excess) = along(context, &links, &closing, apart.motion, trace);
-    let (rates, _) = along(context, &links, &closing, parting, trace);
+    let (coordinates, excess) =
+        minimal_motion(context, &links, &loop_hinge, position_error.motion, trace);
+    let (rates, _) = minimal_motion(context, &links, &loop_hinge, velocity_error, trace);
     Some(Projection {
         coordinates,
         rates,
         excess,
-        residual: (size(apart.motion) + apart.half_turn() + size(parting)).sqrt(),
+        residual: (size(position_error.motion)
+            + position_error.half_turn_error()
+            + size(velocity_error))
+        .sqrt(),
     })
 }
 
 /// Coordinates that have been moved along the rates.
-pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) -> Vec<S> {
+pub fn displace<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], rates: &[S]) -> Vec<S> {
     let one = |(index, hinge): (HingeId, &Hinge)| {
         if hinge.is_prescribed() {
             return Vec::new();
         }
-        let (q, along) = (&q[layout.q[index].clone()], &along[layout.v[index].clone()]);
-        let change = coordinate_rates(&hinge.kind, q, along);
+        let (q, rates) = (&q[layout.q[index].clone()], &rates[layout.v[index].clone()]);
+        let change = coordinate_rates(&hinge.kind, q, rates);
         let moved: Vec<S> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
         normalized(&hinge.kind, &moved)
     };
@@ -71,31 +72,32 @@ pub fn moved<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], along: &[S]) ->
 }
 
 /// From where the closing hinge arrives to where it should: a shift and a turn.
-fn gap<S: Scalar>(
+fn position_error<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
-    closing: &LoopHinge<S>,
+    loop_hinge: &LoopHinge<S>,
     poses: &PerLink<Pose<S>>,
 ) -> PositionError<S> {
-    let hinge = &context.chain.hinges[closing.hinge.id];
+    let hinge = &context.chain.hinges[loop_hinge.hinge.id];
     let (_, origin, rotation) = context.place(&hinge.outboard);
     let aligned_subspace = rotation * hinge.kind.law().alignment(context.numbers);
-    let from = pose_of(closing.parent, poses);
-    let reached = from.position + from.to_inertial * closing.hinge.arm;
-    let axes = Rotation::from_matrix(from.to_inertial * closing.hinge.to_parent.matrix());
-    let to = pose_of(closing.child, poses);
-    let (part_to_work, point) = match closing.child {
+    let from = pose_of(loop_hinge.parent, poses);
+    let reached = from.position + from.to_inertial * loop_hinge.hinge.arm;
+    let axes = Rotation::from_matrix(from.to_inertial * loop_hinge.hinge.to_parent.matrix());
+    let to = pose_of(loop_hinge.child, poses);
+    let (part_to_work, point) = match loop_hinge.child {
         None => (Mat3::identity(), Vec3::zero()),
         Some(link) => (links[link].part_to_work, links[link].point),
     };
     let wanted = to.position + to.to_inertial * (part_to_work * (origin - point));
-    let turn = axes.matrix().transposed() * (to.to_inertial * (part_to_work * aligned_subspace));
+    let rotation_error =
+        axes.matrix().transposed() * (to.to_inertial * (part_to_work * aligned_subspace));
     PositionError {
         motion: Motion {
             linear: axes.rotate_back(wanted - reached),
-            angular: turn.rotation_vector(),
+            angular: rotation_error.rotation_vector(),
         },
-        turn,
+        rotation: rotation_error,
     }
 }
 
@@ -104,30 +106,30 @@ struct PositionError<S> {
     /// From where the hinge arrives to where it should, its axes.
     motion: Motion<S>,
     /// The turn of it.
-    turn: Mat3<S>,
+    rotation: Mat3<S>,
 }
 
 impl<S: Scalar> PositionError<S> {
     /// What the rotation vector does not show: half a turn has no direction, but a cosine.
-    fn half_turn(&self) -> S {
-        let versine = S::one() - self.turn.angle_cosine();
+    fn half_turn_error(&self) -> S {
+        let versine = S::one() - self.rotation.angle_cosine();
         versine * versine
     }
 }
 
 /// How the closing hinge's outboard side moves against what arrives there, its axes.
-fn parting<S: Scalar>(
+fn velocity_error<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
-    closing: &LoopHinge<S>,
+    loop_hinge: &LoopHinge<S>,
     poses: &PerLink<Pose<S>>,
 ) -> Motion<S> {
     let velocity = |link: Option<LinkId>| match link {
         None => Motion::zero(),
         Some(link) => Motion { linear: poses[link].velocity, angular: links[link].omega },
     };
-    let arriving = closing.hinge.motion_from_parent(velocity(closing.parent))
-        + closing.hinge.relative_velocity;
-    closing.of_child(velocity(closing.child)) - arriving
+    let arriving = loop_hinge.hinge.motion_from_parent(velocity(loop_hinge.parent))
+        + loop_hinge.hinge.relative_velocity;
+    loop_hinge.motion_from_child(velocity(loop_hinge.child)) - arriving
 }
 
 fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S> {
@@ -136,10 +138,10 @@ fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S>
 
 /// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant
 /// directions hold.
-fn along<S: Scalar>(
+fn minimal_motion<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
-    closing: &LoopHinge<S>,
+    loop_hinge: &LoopHinge<S>,
     wanted: Motion<S>,
     trace: &mut Trace<S>,
 ) -> (Vec<S>, S) {
@@ -147,30 +149,34 @@ fn along<S: Scalar>(
         links,
         dimension: context.chain.dimension,
         tree: context.tree,
-        drift: links.iter().map(|_| BiasAcceleration::zero()).collect(),
-        loads: links.iter().map(|_| Wrench::zero()).collect(),
+        bias_accelerations: links.iter().map(|_| BiasAcceleration::zero()).collect(),
+        bias_forces: links.iter().map(|_| Wrench::zero()).collect(),
         efforts: links.iter().map(|link| vec![S::zero(); link.hinge.basis.columns.len()]).collect(),
-        ground: Motion::zero(),
-        closing: Some(LoopConstraints {
-            closing,
-            reached: closing.held.iter().map(|held| wanted.power(held.wrench)).collect(),
-            given: Wrench::zero(),
-            linkage: context.constraint_rank(closing.held.len()),
+        base_acceleration: Motion::zero(),
+        loop_constraints: Some(LoopConstraints {
+            loop_hinge,
+            targets: loop_hinge
+                .constraints
+                .iter()
+                .map(|constraint| wanted.power(constraint.wrench))
+                .collect(),
+            applied: Wrench::zero(),
+            rank: context.constraint_rank(loop_hinge.constraints.len()),
         }),
-        given: None,
-        added: None,
+        original_inertias: None,
+        added_inertia: None,
     };
     let problem = if context.held_by_closure { problem.with_added_inertia() } else { problem };
-    let (movement, _) = riccati::solve(&problem, trace);
+    let (solution, _) = riccati::solve(&problem, trace);
     let layout = context.layout;
-    let mut rates = movement.rates(links, layout);
-    let MotionSolution { points, closure, .. } = movement;
-    let arriving = closing
-        .hinge
-        .motion_from_parent(closing.parent.map_or(Motion::zero(), |link| points[link]));
-    let own = layout.v[closing.hinge.id].clone();
+    let mut rates = solution.rates(links, layout);
+    let MotionSolution { link_accelerations, constraint_forces, .. } = solution;
+    let arriving = loop_hinge.hinge.motion_from_parent(
+        loop_hinge.parent.map_or(Motion::zero(), |link| link_accelerations[link]),
+    );
+    let own = layout.v[loop_hinge.hinge.id].clone();
     if !own.is_empty() {
-        rates[own].copy_from_slice(&closing.rates(wanted - arriving));
+        rates[own].copy_from_slice(&loop_hinge.rates(wanted - arriving));
     }
-    (rates, closure.excess)
+    (rates, constraint_forces.excess)
 }

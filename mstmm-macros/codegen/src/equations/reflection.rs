@@ -19,7 +19,7 @@ pub trait VectorSpace<S>: Copy {
 #[derive(Clone, Debug)]
 pub struct Reflection<S> {
     /// `p`
-    place: usize,
+    index: usize,
     /// `v`; empty where one coefficient alone does not vanish and nothing needs reflecting.
     vector: Vec<S>,
     /// `γ`
@@ -35,11 +35,11 @@ impl<S: Scalar> Reflection<S> {
             (0..coefficients.len()).filter(|&k| !coefficients[k].vanishes()).collect();
         // No condition is without coefficients, unless nothing has inertia, which the pivots
         // report.
-        let place = present.first().copied().unwrap_or(0);
-        let entry = coefficients[place];
+        let index = present.first().copied().unwrap_or(0);
+        let entry = coefficients[index];
         if present.len() <= 1 {
             let (vector, factor) = (Vec::new(), S::zero());
-            return Reflection { place, vector, factor, inverse: entry.recip() };
+            return Reflection { index, vector, factor, inverse: entry.recip() };
         }
         let length = present
             .iter()
@@ -47,14 +47,14 @@ impl<S: Scalar> Reflection<S> {
             .sqrt();
         let s = length.copysign(entry);
         let mut vector = coefficients.to_vec();
-        vector[place] = entry + s;
-        let factor = (vector[place] * s).recip();
+        vector[index] = entry + s;
+        let factor = (vector[index] * s).recip();
         // γ v_p = 1 / s
-        Reflection { place, inverse: -(vector[place] * factor), vector, factor }
+        Reflection { index, inverse: -(vector[index] * factor), vector, factor }
     }
 
     /// `w`, what the reflected unknown at `p` must be if the condition's value is `value`.
-    pub fn settled(&self, value: S) -> S {
+    pub fn determine(&self, value: S) -> S {
         value * self.inverse
     }
 
@@ -70,12 +70,12 @@ impl<S: Scalar> Reflection<S> {
                 *column = column.plus_scaled(along, -v);
             }
         }
-        columns.remove(self.place)
+        columns.remove(self.index)
     }
 
     /// `x` from `y` and `w`.
-    pub fn expand(&self, mut unknowns: Vec<S>, settled: S) -> Vec<S> {
-        unknowns.insert(self.place, settled);
+    pub fn expand(&self, mut unknowns: Vec<S>, determined: S) -> Vec<S> {
+        unknowns.insert(self.index, determined);
         if !self.vector.is_empty() {
             let along =
                 unknowns.iter().zip(&self.vector).fold(S::zero(), |sum, (&x, &v)| sum + x * v)
@@ -111,7 +111,7 @@ mod tests {
         let c = [0.3, -2.0, 1e-9, 4.0];
         let reflection = Reflection::of(&c);
         for y in [[0.0, 0.0, 0.0], [1.0, -2.0, 3.0], [-0.1, 7.0, 0.4]] {
-            let x = reflection.expand(y.to_vec(), reflection.settled(1.7));
+            let x = reflection.expand(y.to_vec(), reflection.determine(1.7));
             let value: f64 = c.iter().zip(&x).map(|(c, x)| c * x).sum();
             // Four products of size |c| |x| ≤ 40, a few roundings each.
             assert!((value - 1.7).abs() < 40.0 * 16.0 * f64::EPSILON, "{value}");
@@ -124,10 +124,10 @@ mod tests {
         let row = [1.0, 2.0, -3.0, 0.25];
         let reflection = Reflection::of(&c);
         let mut columns = row.to_vec();
-        let known = reflection.apply(&mut columns) * reflection.settled(1.7);
+        let known = reflection.apply(&mut columns) * reflection.determine(1.7);
         let y = [0.7, -1.1, 2.0];
         let direct: f64 = reflection
-            .expand(y.to_vec(), reflection.settled(1.7))
+            .expand(y.to_vec(), reflection.determine(1.7))
             .iter()
             .zip(&row)
             .map(|(x, r)| x * r)

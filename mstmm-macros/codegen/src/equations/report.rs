@@ -4,11 +4,11 @@
 //! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a
 //! turn into inertial axes is made where a number is read.
 
-use super::connection_points::{ConnectionPoint, spots};
+use super::connection_points::{ConnectionPoint, connection_points};
 use super::hinge_wrenches::WrenchSum;
 use super::kinematics::{HingeKinematics, LinkKinematics, Pose, link_of, poses};
 use super::loads::loads;
-use super::loop_hinge::{LoopHinge, closing};
+use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, kinematics};
 use crate::ids::IdVec;
@@ -43,9 +43,9 @@ pub struct PointState<S> {
     /// Its frame's angular velocity `Ω`.
     pub omega: FramedVector<S>,
     /// `r̈`, that of free fall the other way among it.
-    pub felt: FramedVector<S>,
+    pub proper_acceleration: FramedVector<S>,
     /// `Ω̇`
-    pub turning: FramedVector<S>,
+    pub angular_acceleration: FramedVector<S>,
     /// Internal moment `m`, in the signs of [P, Sect. 2.1].
     pub moment: FramedVector<S>,
     /// Internal force `q`.
@@ -59,7 +59,7 @@ pub struct Report<S> {
     /// One more than there are elements.
     pub points: Vec<PointState<S>>,
     /// What a point at rest feels: to be taken from what others feel, inertial frame.
-    pub at_rest: Vec3<S>,
+    pub base_acceleration: Vec3<S>,
     /// Accelerations of all hinges' rates, prescribed ones as well.
     pub accelerations: Vec<S>,
     /// What drives every rate: the efforts of motors, and what prescribed motions take.
@@ -76,46 +76,54 @@ pub fn report<S: Scalar>(
     let links = kinematics(context, swept.axes, trace);
     let poses = poses(context, &links);
     links.iter().zip(&poses).for_each(|(link, pose)| record(&link.hinge.name, pose, trace));
-    let felt = felt(context, &links, swept);
-    let closing = closing(context, swept.axes, &links);
-    let closed = closing.as_ref().zip(solved.reaction.as_ref()).map(|(closing, reaction)| {
-        let part_to_work = closing.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
-        let (_, _, rotation) = context.place(&context.chain.hinges[closing.hinge.id].inboard);
-        (closing, reaction.wrench.rotated(&Rotation::from_matrix(part_to_work * rotation)))
+    let proper_acceleration = proper_accelerations(context, &links, swept);
+    let loop_hinge = loop_hinge(context, swept.axes, &links);
+    let closed = loop_hinge.as_ref().zip(solved.reaction.as_ref()).map(|(loop_hinge, reaction)| {
+        let part_to_work =
+            loop_hinge.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
+        let (_, _, rotation) = context.place(&context.chain.hinges[loop_hinge.hinge.id].inboard);
+        (loop_hinge, reaction.wrench.rotated(&Rotation::from_matrix(part_to_work * rotation)))
     });
-    let wrenches = wrenches(context, &links, &felt, swept, closed);
+    let wrenches = wrenches(context, &links, &proper_acceleration, swept, closed);
     let mut hinges: IdVec<HingeId, Option<HingeWrench<S>>> =
         context.chain.hinges.iter().map(|_| None).collect();
     links.enumerate().for_each(|(index, link)| {
-        let hinge = HingeWrench::hinge(context, index, link, wrenches[index]);
+        let hinge = HingeWrench::across(context, index, link, wrenches[index]);
         hinges[link.hinge.id] = Some(hinge);
     });
-    if let Some((closing, wrench)) = closed {
-        hinges[closing.hinge.id] = Some(HingeWrench::closing(closing, wrench));
+    if let Some((loop_hinge, wrench)) = closed {
+        hinges[loop_hinge.hinge.id] = Some(HingeWrench::loop_hinge(loop_hinge, wrench));
     }
     let accelerations = rate_accelerations(context, &solved.accelerations);
-    let sheet = PointReader { context, links: &links, poses: &poses, felt: &felt, hinges: &hinges };
-    let points: Vec<PointState<S>> = spots(context).iter().map(|spot| sheet.point(spot)).collect();
+    let reader = PointReader {
+        context,
+        links: &links,
+        poses: &poses,
+        proper_acceleration: &proper_acceleration,
+        hinges: &hinges,
+    };
+    let points: Vec<PointState<S>> =
+        connection_points(context).iter().map(|at| reader.point(at)).collect();
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
-        trace.vector(&format!("point{number}_felt"), point.felt.vector);
+        trace.vector(&format!("point{number}_felt"), point.proper_acceleration.vector);
         trace.vector(&format!("point{number}_position"), point.position);
         trace.matrix(&format!("point{number}_rotation"), point.rotation);
     }
     Report {
         points,
-        at_rest: context.base_acceleration().linear,
-        efforts: efforts(context, &hinges, &accelerations),
+        base_acceleration: context.base_acceleration().linear,
+        efforts: hinge_efforts(context, &hinges, &accelerations),
         accelerations,
     }
 }
 
 fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
-    trace.section(format!("{name}_pose"), format!("Pose behind `{name}`"), "[P, Eq. (12)]");
+    trace.section(format!("{name}_pose"), format!("Pose outboard `{name}`"), "[P, Eq. (12)]");
     trace.vector(&format!("{name}_position"), pose.position);
     trace.matrix(&format!("{name}_to_inertial"), pose.to_inertial);
-    trace.section(format!("{name}_velocity"), format!("Velocity behind `{name}`"), "");
+    trace.section(format!("{name}_velocity"), format!("Velocity outboard `{name}`"), "");
     trace.vector(&format!("{name}_velocity"), pose.velocity);
 }
 
@@ -129,7 +137,7 @@ fn rate_accelerations<S: Scalar>(context: &EvalContext<S>, free: &[S]) -> Vec<S>
 }
 
 /// What is felt at all links' points: of bodies welded to others, by way of those.
-fn felt<S: Scalar>(
+fn proper_accelerations<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     swept: &SweepResult<S>,
@@ -138,14 +146,14 @@ fn felt<S: Scalar>(
         ProperAcceleration(context.base_acceleration()),
         |link, &ProperAcceleration(parent)| {
             let hinge = &links[link].hinge;
-            let felt = match swept.behind[hinge.id] {
-                Some(OutboardState { felt, .. }) => felt,
+            let proper_acceleration = match swept.outboard[hinge.id] {
+                Some(OutboardState { proper_acceleration, .. }) => proper_acceleration,
                 None => hinge.acceleration_from_parent(parent, hinge.bias_acceleration),
             };
-            (ProperAcceleration(felt), ())
+            (ProperAcceleration(proper_acceleration), ())
         },
     );
-    all.into_iter().map(|ProperAcceleration(felt)| felt).collect()
+    all.into_iter().map(|ProperAcceleration(proper_acceleration)| proper_acceleration).collect()
 }
 
 /// What is felt at a link's point. It crosses no boundary: the sweeps know it there.
@@ -163,12 +171,13 @@ impl<S: Scalar> Flatten<S> for ProperAcceleration<S> {
 fn wrenches<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
-    felt: &PerLink<Motion<S>>,
+    proper_acceleration: &PerLink<Motion<S>>,
     swept: &SweepResult<S>,
     closed: Option<(&LoopHinge<S>, Wrench<S>)>,
 ) -> PerLink<Wrench<S>> {
-    let known = |link: &LinkKinematics<S>| swept.behind[link.hinge.id].map(|behind| behind.wrench);
-    let outer = if links.iter().all(|link| known(link).is_some()) {
+    let known =
+        |link: &LinkKinematics<S>| swept.outboard[link.hinge.id].map(|outboard| outboard.wrench);
+    let external = if links.iter().all(|link| known(link).is_some()) {
         PerLink::new()
     } else {
         loads(context, links)
@@ -176,18 +185,19 @@ fn wrenches<S: Scalar>(
     let own = |(index, link): (LinkId, &LinkKinematics<S>)| match known(link) {
         Some(_) => WrenchSum(None),
         None => {
-            let own =
-                link.spatial_inertia().times(felt[index]) + link.velocity_wrench() - outer[index];
+            let own = link.spatial_inertia().times(proper_acceleration[index])
+                + link.velocity_wrench()
+                - external[index];
             WrenchSum(Some(own))
         }
     };
     let mut all: PerLink<WrenchSum<S>> = links.enumerate().map(own).collect();
-    if let Some((closing, wrench)) = closed {
-        if let Some(parent) = closing.parent {
-            all[parent].add(|| wrench.shifted_from(closing.hinge.arm));
+    if let Some((loop_hinge, wrench)) = closed {
+        if let Some(parent) = loop_hinge.parent {
+            all[parent].add(|| wrench.shifted_from(loop_hinge.hinge.arm));
         }
-        let outboard = wrench.rotated_back(&closing.hinge.to_parent);
-        if let Some((child, on_child)) = closing.on_child(outboard) {
+        let outboard = wrench.rotated_back(&loop_hinge.hinge.to_parent);
+        if let Some((child, on_child)) = loop_hinge.wrench_on_child(outboard) {
             all[child].add(|| on_child.reversed());
         }
     }
@@ -207,18 +217,18 @@ struct HingeWrench<S> {
     /// The link in whose work axes it is; none if those are inertial.
     axes: Option<LinkId>,
     /// Exerted by the inboard on the outboard side, about the outboard side's origin.
-    wrench: Wrench<S>,
+    at_outboard: Wrench<S>,
     /// Exerted by the inboard on the outboard side, about the inboard side's origin.
     at_inboard: Wrench<S>,
     /// Exerted on the child, about its point, in the hinge's work axes.
     on_child: Wrench<S>,
     /// The link behind it, where both its sides are one point that moves with that as well.
-    meets: Option<LinkId>,
+    concentric_link: Option<LinkId>,
 }
 
 impl<S: Scalar> HingeWrench<S> {
     /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
-    fn hinge(
+    fn across(
         context: &EvalContext<S>,
         index: LinkId,
         link: &LinkKinematics<S>,
@@ -230,34 +240,41 @@ impl<S: Scalar> HingeWrench<S> {
             None => (Some(index), on_child, hinge.to_parent.rotate_back(hinge.offset)),
         };
         let at_parent = at_child.shifted_from(offset);
-        let (wrench, at_inboard) = if place.reversed {
+        let (at_outboard, at_inboard) = if place.reversed {
             (at_parent.reversed(), at_child.reversed())
         } else {
             (at_child, at_parent)
         };
-        let meets = (place.boundary.is_none() && hinge.is_concentric()).then_some(index);
-        HingeWrench { hinge, axes, wrench, at_inboard, on_child, meets }
+        let concentric_link = (place.boundary.is_none() && hinge.is_concentric()).then_some(index);
+        HingeWrench { hinge, axes, at_outboard, at_inboard, on_child, concentric_link }
     }
 
     /// Over the hinge that closes the chain: the wrench on its outboard side, in its parent's axes.
-    fn closing(closing: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
-        let hinge = closing.hinge.clone();
+    fn loop_hinge(loop_hinge: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
+        let hinge = loop_hinge.hinge.clone();
         let at_inboard = wrench.shifted_from(hinge.offset);
         let on_child = wrench.rotated_back(&hinge.to_parent);
-        HingeWrench { hinge, axes: closing.parent, wrench, at_inboard, on_child, meets: None }
+        HingeWrench {
+            hinge,
+            axes: loop_hinge.parent,
+            at_outboard: wrench,
+            at_inboard,
+            on_child,
+            concentric_link: None,
+        }
     }
 }
 
 /// What drives every rate: of a prescribed motion `Sᵀ F` and what its rotors take, less what acts
 /// along it of itself.
-fn efforts<S: Scalar>(
+fn hinge_efforts<S: Scalar>(
     context: &EvalContext<S>,
     hinges: &IdVec<HingeId, Option<HingeWrench<S>>>,
     accelerations: &[S],
 ) -> Vec<S> {
-    let of = |(index, transmitting): (HingeId, &Option<HingeWrench<S>>)| {
+    let of = |(index, hinge_wrench): (HingeId, &Option<HingeWrench<S>>)| {
         let (true, Some(HingeWrench { hinge, on_child, .. })) =
-            (context.chain.hinges[index].is_prescribed(), transmitting)
+            (context.chain.hinges[index].is_prescribed(), hinge_wrench)
         else {
             return context.actuator_efforts(index);
         };
@@ -275,37 +292,37 @@ struct PointReader<'a, S> {
     context: &'a EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
     poses: &'a PerLink<Pose<S>>,
-    felt: &'a PerLink<Motion<S>>,
+    proper_acceleration: &'a PerLink<Motion<S>>,
     hinges: &'a IdVec<HingeId, Option<HingeWrench<S>>>,
 }
 
 impl<S: Scalar> PointReader<'_, S> {
-    fn point(&self, spot: &ConnectionPoint) -> PointState<S> {
-        let (part, origin, rotation) = self.context.place(&spot.place);
-        let (force, moment) = self.transmitted(spot);
+    fn point(&self, at: &ConnectionPoint) -> PointState<S> {
+        let (part, origin, rotation) = self.context.place(&at.place);
+        let (force, moment) = self.force_and_moment(at);
         let Some(index) = link_of(part) else {
-            let none = self.seen(None, Vec3::zero());
+            let none = self.framed(None, Vec3::zero());
             return PointState {
                 position: origin,
                 rotation,
                 velocity: none,
                 omega: none,
-                felt: self.seen(None, self.context.base_acceleration().linear),
-                turning: none,
+                proper_acceleration: self.framed(None, self.context.base_acceleration().linear),
+                angular_acceleration: none,
                 moment,
                 force,
             };
         };
         let (link, pose) = (&self.links[index], &self.poses[index]);
         let arm = link.part_to_work * (origin - link.point);
-        let (velocity, felt) = self.moving(spot, index, arm);
+        let (velocity, proper_acceleration) = self.velocity_and_acceleration(at, index, arm);
         PointState {
             position: pose.position + pose.to_inertial * arm,
             rotation: pose.to_inertial * (link.part_to_work * rotation),
             velocity,
-            omega: self.seen(Some(index), link.omega),
-            felt,
-            turning: self.seen(Some(index), self.felt[index].angular),
+            omega: self.framed(Some(index), link.omega),
+            proper_acceleration,
+            angular_acceleration: self.framed(Some(index), self.proper_acceleration[index].angular),
             moment,
             force,
         }
@@ -313,38 +330,43 @@ impl<S: Scalar> PointReader<'_, S> {
 
     /// Velocity and acceleration of a place on a link: where another link's point is there too,
     /// that one's, which are known.
-    fn moving(
+    fn velocity_and_acceleration(
         &self,
-        spot: &ConnectionPoint,
+        at: &ConnectionPoint,
         index: LinkId,
         arm: Vec3<S>,
     ) -> (FramedVector<S>, FramedVector<S>) {
-        let meets = spot.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.meets);
-        if let Some(other) = meets {
-            let (velocity, felt) = (self.poses[other].velocity, self.felt[other].linear);
-            return (self.seen(Some(other), velocity), self.seen(Some(other), felt));
+        let concentric_link =
+            at.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.concentric_link);
+        if let Some(other) = concentric_link {
+            let (velocity, proper_acceleration) =
+                (self.poses[other].velocity, self.proper_acceleration[other].linear);
+            return (
+                self.framed(Some(other), velocity),
+                self.framed(Some(other), proper_acceleration),
+            );
         }
         let (link, pose) = (&self.links[index], &self.poses[index]);
         let velocity = pose.velocity + link.omega.cross(arm);
-        let felt =
-            self.felt[index].shifted_to(arm).linear + arm.centripetal_by_products(link.omega);
-        (self.seen(Some(index), velocity), self.seen(Some(index), felt))
+        let proper_acceleration = self.proper_acceleration[index].shifted_to(arm).linear
+            + arm.centripetal_by_products(link.omega);
+        (self.framed(Some(index), velocity), self.framed(Some(index), proper_acceleration))
     }
 
     /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
-    fn transmitted(&self, spot: &ConnectionPoint) -> (FramedVector<S>, FramedVector<S>) {
-        let at = |(index, outboard): (HingeId, bool)| {
+    fn force_and_moment(&self, at: &ConnectionPoint) -> (FramedVector<S>, FramedVector<S>) {
+        let through = |(index, outboard): (HingeId, bool)| {
             let Some(hinge) = &self.hinges[index] else { bug!("a hinge transmits nothing") };
-            (hinge.axes, if outboard { hinge.wrench } else { hinge.at_inboard })
+            (hinge.axes, if outboard { hinge.at_outboard } else { hinge.at_inboard })
         };
         let at_free_end = (None, Wrench::zero());
-        let (axes, wrench) = spot.hinge.map_or(at_free_end, at);
-        (self.seen(axes, wrench.force), self.seen(axes, -wrench.moment))
+        let (axes, wrench) = at.hinge.map_or(at_free_end, through);
+        (self.framed(axes, wrench.force), self.framed(axes, -wrench.moment))
     }
 
     /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it
     /// comes in the axes of the link's frame: work axes may lie across.
-    fn seen(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
+    fn framed(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
         let Some(index) = link else { return FramedVector { axes: Mat3::identity(), vector } };
         let (axes, part_to_work) = (self.poses[index].to_inertial, self.links[index].part_to_work);
         match self.context.chain.dimension {

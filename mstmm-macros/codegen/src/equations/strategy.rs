@@ -30,11 +30,11 @@ pub const AXES: Axes = Axes::Body;
 /// operations, but the 20 numbers have to be kept until accelerations are known, and rounding of
 /// the sum grows with the square of the number of bodies. Sums in place of relations: D7 500 → 458
 /// ns, C7 409 → 377, B3 183 → 152, together with base parameters in the energies.
-pub const LONGEST_SUM: usize = 8;
+pub const MAX_SUMMED_BODIES: usize = 8;
 
 /// Whether the relations of the Riccati transfer are kept for transmitted wrenches. With a closing
 /// hinge they would contain its reactions, in as many products as the sum over all bodies takes.
-pub fn keeps_relations(is_closed: bool) -> bool {
+pub fn keeps_affine_wrenches(is_closed: bool) -> bool {
     !is_closed
 }
 
@@ -52,7 +52,7 @@ pub fn uses_base_parameters(method: SolutionMethod, axes: Axes, is_closed: bool)
 ///
 /// Masses in the middle of balls might be given as well, for one operation in a hundred less; three
 /// balls took 6 % more time then, ten 12 %.
-pub fn operations<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> usize {
+pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> usize {
     let count = |numbers: &[S]| numbers.iter().filter(|x| !x.vanishes()).count();
     let Sym3(entries) = inertia;
     let [diagonal, beside] = [&entries[..3], &entries[3..]].map(count);

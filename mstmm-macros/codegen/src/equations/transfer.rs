@@ -27,7 +27,7 @@
 use super::Trace;
 use super::constraint_forces::ConstraintForces;
 use super::hinge::BasisVector;
-use super::motion_problem::{MotionProblem, MotionSolution, moved};
+use super::motion_problem::{MotionProblem, MotionSolution, basis_motion};
 use super::reflection::{Reflection, VectorSpace};
 use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
@@ -59,7 +59,7 @@ struct TransferProduct<S> {
 /// A condition that was used, and what it settled.
 struct UsedCondition<S> {
     reflection: Reflection<S>,
-    settled: S,
+    determined: S,
 }
 
 /// The movement, with the reactions of a closing hinge that the Riccati transfer has found.
@@ -68,7 +68,7 @@ struct UsedCondition<S> {
 /// hides it: whoever calls has to look at the pivots of the Riccati transfer.
 pub fn solve<S: Scalar>(
     problem: &MotionProblem<S>,
-    closure: ConstraintForces<S>,
+    constraint_forces: ConstraintForces<S>,
     trace: &mut Trace<S>,
 ) -> MotionSolution<S> {
     let path = path(problem);
@@ -90,34 +90,42 @@ pub fn solve<S: Scalar>(
         });
     let unknowns = match (&product, path.last()) {
         (Some(product), Some(&last)) => {
-            far_end(problem, (product, last), &closure.reactions, trace)
+            far_end(problem, (product, last), &constraint_forces.reactions, trace)
         }
         _ => Vec::new(),
     };
-    let mut amounts = PerLink::filled(Vec::new(), problem.links.len());
+    let mut basis_accelerations = PerLink::filled(Vec::new(), problem.links.len());
     for (link, betas) in recover(unknowns, &used, trace, problem) {
-        amounts[link] = betas;
+        basis_accelerations[link] = betas;
     }
-    let points = points(problem, &amounts);
-    MotionSolution { amounts, points, relations: PerLink::new(), closure }
+    let link_accelerations = link_accelerations(problem, &basis_accelerations);
+    MotionSolution {
+        basis_accelerations,
+        link_accelerations,
+        affine_wrenches: PerLink::new(),
+        constraint_forces,
+    }
 }
 
 /// The links from the ground to the far end; a moving end at the far side is not among them.
 fn path<S: Scalar>(problem: &MotionProblem<S>) -> Vec<LinkId> {
-    let last = match &problem.closing {
-        Some(demand) => demand.closing.parent,
+    let last = match &problem.loop_constraints {
+        Some(constraints) => constraints.loop_hinge.parent,
         None => problem.links.ids().into_iter().next_back(),
     };
     last.map_or(Vec::new(), |last| problem.tree.path_to(last))
 }
 
 /// `a` of all points, from the amounts of all columns.
-fn points<S: Scalar>(problem: &MotionProblem<S>, amounts: &PerLink<Vec<S>>) -> PerLink<Motion<S>> {
-    let (points, _) = problem.tree.outward(problem.ground, |link, &parent| {
-        let carried = problem.motion_from_parent(link, parent);
-        (carried + moved(&problem.links[link], &amounts[link]), ())
+fn link_accelerations<S: Scalar>(
+    problem: &MotionProblem<S>,
+    basis_accelerations: &PerLink<Vec<S>>,
+) -> PerLink<Motion<S>> {
+    let (accelerations, _) = problem.tree.outward(problem.base_acceleration, |link, &parent| {
+        let carried = problem.acceleration_from_parent(link, parent);
+        (carried + basis_motion(&problem.links[link], &basis_accelerations[link]), ())
     });
-    points
+    accelerations
 }
 
 impl<S: Scalar> Flatten<S> for StateColumn<S> {
@@ -140,7 +148,7 @@ impl<S: Scalar> TransferProduct<S> {
         let unknown = |&k: &usize| StateColumn { a: Motion::zero(), f: Wrench::unit(k) };
         TransferProduct {
             known: StateColumn {
-                a: problem.motion_from_parent(first, problem.ground),
+                a: problem.acceleration_from_parent(first, problem.base_acceleration),
                 f: Wrench::zero(),
             },
             columns: problem.dimension.axes().iter().map(unknown).collect(),
@@ -151,12 +159,12 @@ impl<S: Scalar> TransferProduct<S> {
     fn across(self, problem: &MotionProblem<S>, from: LinkId, to: LinkId) -> Self {
         let hinge = &problem.links[to].hinge;
         let beyond = |f: Wrench<S>| f.shifted_from(-hinge.arm).rotated_back(&hinge.to_parent);
-        let TransferProduct { known, columns } = self.beyond(problem, from);
+        let TransferProduct { known, columns } = self.outboard_of_body(problem, from);
         let cross = |part: StateColumn<S>| StateColumn {
             a: hinge.motion_from_parent(part.a),
             f: beyond(part.f),
         };
-        let a = hinge.acceleration_from_parent(known.a, problem.drift[to]);
+        let a = hinge.acceleration_from_parent(known.a, problem.bias_accelerations[to]);
         TransferProduct {
             known: StateColumn { a, f: beyond(known.f) },
             columns: columns.into_iter().map(cross).collect(),
@@ -164,13 +172,13 @@ impl<S: Scalar> TransferProduct<S> {
     }
 
     /// The wrench behind the body at a link, about its point, in place of the one in front of it.
-    fn beyond(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
+    fn outboard_of_body(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
         let taken =
             |part: &StateColumn<S>| StateColumn { a: part.a, f: part.f - inertia.times(part.a) };
         let known = taken(&self.known);
         TransferProduct {
-            known: StateColumn { a: known.a, f: known.f - problem.loads[link] },
+            known: StateColumn { a: known.a, f: known.f - problem.bias_forces[link] },
             columns: self.columns.iter().map(taken).collect(),
         }
     }
@@ -186,7 +194,7 @@ impl<S: Scalar> TransferProduct<S> {
         let conditions = problem.efforts[index].iter().zip(&hinge.basis.armature);
         let mut used = Vec::new();
         for (&column, (&effort, &armature)) in hinge.basis.columns.iter().zip(conditions) {
-            let step = self.free(column, effort, armature);
+            let step = self.eliminate(column, effort, armature);
             for (number, &v) in step.reflection.vector().iter().enumerate() {
                 trace.number(format!("{}_v{number}", hinge.name), v);
             }
@@ -196,16 +204,16 @@ impl<S: Scalar> TransferProduct<S> {
     }
 
     /// Uses the condition `sᵀ F + I β = τ` and lets the direction `s` go, `β` being a new unknown.
-    fn free(&mut self, s: BasisVector<S>, tau: S, armature: S) -> UsedCondition<S> {
+    fn eliminate(&mut self, s: BasisVector<S>, tau: S, armature: S) -> UsedCondition<S> {
         let direction = s.motion();
         let mut coefficients: Vec<S> =
             self.columns.iter().map(|part| direction.power(part.f)).collect();
         coefficients.push(armature);
         self.columns.push(StateColumn { a: direction, f: Wrench::zero() });
         let reflection = Reflection::of(&coefficients);
-        let settled = reflection.settled(tau - direction.power(self.known.f));
+        let determined = reflection.determine(tau - direction.power(self.known.f));
         let leaving = reflection.apply(&mut self.columns);
-        self.known = self.known.plus_scaled(leaving, settled);
+        self.known = self.known.plus_scaled(leaving, determined);
         if let (BasisVector::Axis(axis), true) = (s, armature.vanishes()) {
             // What the reflection has made zero but for rounding is zero.
             let set =
@@ -215,7 +223,7 @@ impl<S: Scalar> TransferProduct<S> {
                 part.f = set(part.f, S::zero());
             }
         }
-        UsedCondition { reflection, settled }
+        UsedCondition { reflection, determined }
     }
 
     fn record(&self, name: &str, trace: &mut Trace<S>) {
@@ -236,9 +244,12 @@ fn far_end<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> Vec<S> {
     trace.section("end", "Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
-    let end = product.beyond(problem, last);
-    let given = problem.closing.as_ref().map_or(Wrench::zero(), |demand| {
-        demand.closing.hinge.wrench_to_parent(demand.closing.wrench(demand.given, reactions))
+    let end = product.outboard_of_body(problem, last);
+    let given = problem.loop_constraints.as_ref().map_or(Wrench::zero(), |constraints| {
+        constraints
+            .loop_hinge
+            .hinge
+            .wrench_to_parent(constraints.loop_hinge.wrench(constraints.applied, reactions))
     });
     let rows = problem.dimension.axes().iter().map(|&k| BoundaryRow {
         coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
@@ -262,15 +273,15 @@ fn boundary<S: Scalar>(mut rows: Vec<BoundaryRow<S>>) -> Vec<S> {
     let mut used: Vec<(Reflection<S>, S)> = Vec::new();
     for number in 0..rows.len() {
         let reflection = Reflection::of(&rows[number].coefficients);
-        let settled = reflection.settled(rows[number].value);
+        let determined = reflection.determine(rows[number].value);
         for row in rows.iter_mut().skip(number + 1) {
             let leaving = reflection.apply(&mut row.coefficients);
-            row.value = row.value - leaving * settled;
+            row.value = row.value - leaving * determined;
         }
-        used.push((reflection, settled));
+        used.push((reflection, determined));
     }
     let steps = used.iter().rev();
-    steps.fold(Vec::new(), |y, (reflection, settled)| reflection.expand(y, *settled))
+    steps.fold(Vec::new(), |y, (reflection, determined)| reflection.expand(y, *determined))
 }
 
 /// Back through the hinges: each gives up its `β` and gets its eliminated unknown.
@@ -285,7 +296,7 @@ fn recover<S: Scalar>(
         trace.section(format!("{name}_back"), format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
         let mut betas = Vec::new();
         for step in steps.iter().rev() {
-            unknowns = step.reflection.expand(unknowns, step.settled);
+            unknowns = step.reflection.expand(unknowns, step.determined);
             betas.extend(unknowns.pop());
         }
         betas.reverse();

@@ -79,7 +79,7 @@ impl DryRun {
     ) -> ForwardDynamics<Number> {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let context = self.context(&self.merged, numbers, (q, &v, inputs));
-        equations::accelerations(
+        equations::forward_dynamics(
             &context,
             SolutionMethod::Riccati,
             Axes::Body,
@@ -94,7 +94,12 @@ impl DryRun {
     ) -> (ForwardDynamics<Number>, SweepResult<Number>) {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
         let context = self.context(&self.merged, numbers, (q, &v, inputs));
-        equations::sweep(&context, SolutionMethod::Riccati, Axes::Body, &mut Trace::silent())
+        equations::forward_dynamics_with_wrenches(
+            &context,
+            SolutionMethod::Riccati,
+            Axes::Body,
+            &mut Trace::silent(),
+        )
     }
 
     /// The coordinates put onto the closure; nothing if that leads nowhere.
@@ -103,7 +108,7 @@ impl DryRun {
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let context = self.context(&self.merged, &self.numbers, (&q, &v, &inputs));
-            let correction = equations::correction(&context, &mut Trace::silent())?;
+            let correction = equations::project(&context, &mut Trace::silent())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
                 return Some(Configuration { q, inputs });
@@ -114,7 +119,7 @@ impl DryRun {
                 return None;
             }
             nearest = nearest.min(residual);
-            q = equations::moved(&self.chain, &self.merged, &q, &correction.coordinates);
+            q = equations::displace(&self.chain, &self.merged, &q, &correction.coordinates);
         }
         None
     }

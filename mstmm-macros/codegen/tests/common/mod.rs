@@ -53,8 +53,8 @@ impl<S: Scalar> Report<S> {
             velocity: point.velocity.inertial(),
             omega: point.omega.inertial(),
             acceleration: Motion {
-                linear: point.felt.inertial() - report.at_rest,
-                angular: point.turning.inertial(),
+                linear: point.proper_acceleration.inertial() - report.base_acceleration,
+                angular: point.angular_acceleration.inertial(),
             },
             moment: point.moment.inertial(),
             force: point.force.inertial(),
@@ -106,8 +106,9 @@ pub fn compute_with<S: Scalar>(
     let (q, v, inputs) = (variables::<S>(q), variables(v), variables(inputs));
     let mut trace = Trace::new();
     let context = EvalContext::new(chain, &merged, &numbers, (&q, &v, &inputs));
-    let fast = equations::accelerations(&context, method, axes, &mut trace);
-    let (solved, swept) = equations::sweep(&context, method, axes, &mut trace);
+    let fast = equations::forward_dynamics(&context, method, axes, &mut trace);
+    let (solved, swept) =
+        equations::forward_dynamics_with_wrenches(&context, method, axes, &mut trace);
     let context = EvalContext::new(chain, &layout, &numbers, (&q, &v, &inputs));
     let report = Report::of(&equations::report(&context, (&solved, &swept), &mut trace));
     let energy = equations::energy(&context, &mut trace);

@@ -7,14 +7,14 @@ use crate::math::{RANK_ULPS, Scalar};
 /// What a step found.
 pub(super) struct FactorStep<S> {
     /// `e_i`
-    pub(super) choice: Vec<S>,
+    pub(super) selector: Vec<S>,
     /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot
     /// is rounding.
     pub(super) column: Vec<S>,
     /// `d_k`
-    pub(super) value: S,
+    pub(super) pivot: S,
     /// `d_k / s_i`
-    pub(super) measured: S,
+    pub(super) relative_pivot: S,
     /// `1 / d_k`, zero where the pivot is rounding.
     pub(super) inverse: S,
 }
@@ -47,87 +47,87 @@ impl<S: Scalar> JacobianRow<S> {
 pub(super) struct RemainingRows<S> {
     rows: Vec<JacobianRow<S>>,
     /// One for each row that no step has chosen yet.
-    pub(super) open: Vec<S>,
+    pub(super) unused: Vec<S>,
     /// Those that do not vanish in every state; no step chooses another one.
-    pub(super) alive: Vec<usize>,
+    pub(super) candidates: Vec<usize>,
 }
 
 /// Equation (1), step by step.
-pub(super) fn factorised<S: Scalar>(
+pub(super) fn factorize<S: Scalar>(
     system: &ConstraintSystem<S>,
 ) -> (Vec<FactorStep<S>>, RemainingRows<S>) {
     let mut left = RemainingRows::of(system);
     let mut pivots = Vec::new();
     let is_regular = system.is_regular(&left);
     for allowed in system.steps(&left) {
-        let is_last = pivots.len() + 1 == left.alive.len();
-        let choice = if is_regular {
-            left.next(pivots.len())
+        let is_last = pivots.len() + 1 == left.candidates.len();
+        let selector = if is_regular {
+            left.in_order(pivots.len())
         } else if is_last {
-            left.last()
+            left.only_unused()
         } else {
-            left.largest(&system.sizes)
+            left.largest(&system.scales)
         };
-        pivots.push(left.eliminate(choice, system, allowed));
+        pivots.push(left.eliminate(selector, system, allowed));
     }
     (pivots, left)
 }
 
 impl<S: Scalar> RemainingRows<S> {
     fn of(system: &ConstraintSystem<S>) -> Self {
-        let count = system.right.len();
+        let count = system.rhs.len();
         let repeated = |i: usize, j: usize| system.repeated[i.max(j)][i.min(j)];
         let shared: Vec<usize> = (0..count).filter(|&k| !repeated(k, k).vanishes()).collect();
-        let roots: Vec<S> = system.dofs.iter().map(|dof| dof.inverse.sqrt()).collect();
+        let roots: Vec<S> = system.terms.iter().map(|term| term.inverse.sqrt()).collect();
         let row = |i: usize| {
-            let dofs = system.dofs.iter().zip(&roots);
-            let own: Vec<S> = dofs.map(|(dof, &root)| dof.along[i] * root).collect();
+            let terms = system.terms.iter().zip(&roots);
+            let own: Vec<S> = terms.map(|(term, &root)| term.t[i] * root).collect();
             let unit = shared.iter().map(|&k| if k == i { S::one() } else { S::zero() });
             let between = shared.iter().map(|&k| repeated(i, k));
             let left = own.iter().copied().chain(unit).collect();
             JacobianRow { left, right: own.iter().copied().chain(between).collect() }
         };
         let rows: Vec<JacobianRow<S>> = (0..count).map(row).collect();
-        let alive = (0..count).filter(|&k| !rows[k].vanishes()).collect();
-        RemainingRows { rows, open: vec![S::one(); count], alive }
+        let candidates = (0..count).filter(|&k| !rows[k].vanishes()).collect();
+        RemainingRows { rows, unused: vec![S::one(); count], candidates }
     }
 
     /// The row of a step in the order of rows.
-    fn next(&self, step: usize) -> Vec<S> {
+    fn in_order(&self, step: usize) -> Vec<S> {
         let weight = |k| if k == step { S::one() } else { S::zero() };
-        self.spread((0..self.alive.len()).map(weight).collect())
+        self.scatter((0..self.candidates.len()).map(weight).collect())
     }
 
     /// The only row that is open.
-    fn last(&self) -> Vec<S> {
-        self.spread(self.alive.iter().map(|&row| self.open[row]).collect())
+    fn only_unused(&self) -> Vec<S> {
+        self.scatter(self.candidates.iter().map(|&row| self.unused[row]).collect())
     }
 
     /// The open row of which most is left.
-    fn largest(&self, sizes: &[S]) -> Vec<S> {
-        self.spread(largest(&self.scores(sizes)).0)
+    fn largest(&self, scales: &[S]) -> Vec<S> {
+        self.scatter(largest(&self.scores(scales)).0)
     }
 
     /// How much is left of that row.
     pub(super) fn excess(&self, system: &ConstraintSystem<S>) -> S {
-        largest(&self.scores(&system.sizes)).1
+        largest(&self.scores(&system.scales)).1
     }
 
     /// How much is left of each row that may be chosen.
-    fn scores(&self, sizes: &[S]) -> Vec<S> {
+    fn scores(&self, scales: &[S]) -> Vec<S> {
         let score = |&k: &usize| {
-            let (row, open) = (&self.rows[k], self.open[k]);
+            let (row, open) = (&self.rows[k], self.unused[k]);
             // Rows that are not open have the lowest scores.
             let closed = S::one() - open;
-            row.product(row) * sizes[k].recip_above(S::zero()) * open - closed
+            row.product(row) * scales[k].recip_above(S::zero()) * open - closed
         };
-        self.alive.iter().map(score).collect()
+        self.candidates.iter().map(score).collect()
     }
 
     /// Weights of the rows that may be chosen, as those of all rows.
-    pub(super) fn spread(&self, weights: Vec<S>) -> Vec<S> {
-        let mut all = vec![S::zero(); self.open.len()];
-        for (&row, weight) in self.alive.iter().zip(weights) {
+    pub(super) fn scatter(&self, weights: Vec<S>) -> Vec<S> {
+        let mut all = vec![S::zero(); self.unused.len()];
+        for (&row, weight) in self.candidates.iter().zip(weights) {
             all[row] = weight;
         }
         all
@@ -135,37 +135,37 @@ impl<S: Scalar> RemainingRows<S> {
 
     fn eliminate(
         &mut self,
-        choice: Vec<S>,
+        selector: Vec<S>,
         system: &ConstraintSystem<S>,
         allowed: S,
     ) -> FactorStep<S> {
         let zero = vec![S::zero(); self.rows[0].left.len()];
         let none = JacobianRow { left: zero.clone(), right: zero };
-        let weighted = self.rows.iter().zip(&choice);
+        let weighted = self.rows.iter().zip(&selector);
         let chosen = weighted.fold(none, |sum, (row, &weight)| sum.plus_scaled(row, weight));
-        let (value, size) = (chosen.product(&chosen), dot(&choice, &system.sizes));
-        let inverse = system.guarded_reciprocal(value, size) * allowed;
+        let (pivot, scale) = (chosen.product(&chosen), dot(&selector, &system.scales));
+        let inverse = system.guarded_reciprocal(pivot, scale) * allowed;
         let along = |(row, &open): (&JacobianRow<S>, &S)| row.product(&chosen) * inverse * open;
-        let column: Vec<S> = self.rows.iter().zip(&self.open).map(along).collect();
+        let column: Vec<S> = self.rows.iter().zip(&self.unused).map(along).collect();
         for (row, &amount) in self.rows.iter_mut().zip(&column) {
             *row = row.clone().plus_scaled(&chosen, -amount);
         }
-        self.open = plus_scaled(self.open.clone(), &choice, -S::one());
-        let measured = value * size.recip_above(S::zero());
-        FactorStep { choice, column, value, measured, inverse }
+        self.unused = plus_scaled(self.unused.clone(), &selector, -S::one());
+        let relative_pivot = pivot * scale.recip_above(S::zero());
+        FactorStep { selector, column, pivot, relative_pivot, inverse }
     }
 }
 
 impl<S: Scalar> ConstraintSystem<S> {
     /// Whether no row depends on others but in singular poses: then any order of rows will do.
     pub(super) fn is_regular(&self, left: &RemainingRows<S>) -> bool {
-        matches!(self.linkage.rank, Rank::Known(rank) if rank >= left.alive.len())
+        matches!(self.rank.rank, Rank::Known(rank) if rank >= left.candidates.len())
     }
 
     /// A weight for each step that may be taken: one, or zero beyond the rank.
     pub(super) fn steps(&self, left: &RemainingRows<S>) -> Vec<S> {
-        let most = left.alive.len();
-        match &self.linkage.rank {
+        let most = left.candidates.len();
+        match &self.rank.rank {
             Rank::Known(rank) => vec![S::one(); most.min(*rank)],
             Rank::AtRunTime(steps) => steps.iter().copied().take(most).collect(),
         }
@@ -174,10 +174,10 @@ impl<S: Scalar> ConstraintSystem<S> {
     /// `1 / d` of a square, or zero where a direction is not determined: by a pivot of less than a
     /// unit in the last place of `s_i`, rounding of `b` would make larger reactions than the loads
     /// do.
-    fn guarded_reciprocal(&self, square: S, size: S) -> S {
+    fn guarded_reciprocal(&self, square: S, scale: S) -> S {
         let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
-        let units = if is_kept { 1.0 } else { self.linkage.noise };
-        square.recip_above(size * S::number(units / RANK_ULPS))
+        let units = if is_kept { 1.0 } else { self.rank.rounding };
+        square.recip_above(scale * S::number(units / RANK_ULPS))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::hinge::dot;
 use super::factorization::{FactorStep, RemainingRows};
-use super::{plus_scaled, without};
+use super::{plus_scaled, project_out};
 use crate::math::Scalar;
 
 /// Equation (4): a direction for each row, zero where the pivot of its step is none of rounding.
@@ -12,18 +12,18 @@ pub(super) fn null_directions<S: Scalar>(
 ) -> Vec<Vec<S>> {
     let mut directions = Vec::new();
     for (k, pivot) in pivots.iter().enumerate() {
-        let is_rounding = S::one() - pivot.value * pivot.inverse;
-        let start = pivot.choice.iter().map(|&x| x * is_rounding).collect();
+        let is_rounding = S::one() - pivot.pivot * pivot.inverse;
+        let start = pivot.selector.iter().map(|&x| x * is_rounding).collect();
         directions.push(null_direction(&pivots[..k], start));
     }
-    let mut open: Vec<S> = left.alive.iter().map(|&row| left.open[row]).collect();
-    for _ in pivots.len()..open.len() {
-        let first = first(&open);
-        open = plus_scaled(open, &first, -S::one());
-        directions.push(null_direction(pivots, left.spread(first)));
+    let mut unused: Vec<S> = left.candidates.iter().map(|&row| left.unused[row]).collect();
+    for _ in pivots.len()..unused.len() {
+        let first = first(&unused);
+        unused = plus_scaled(unused, &first, -S::one());
+        directions.push(null_direction(pivots, left.scatter(first)));
     }
-    let count = left.open.len();
-    for row in (0..count).filter(|row| !left.alive.contains(row)) {
+    let count = left.unused.len();
+    for row in (0..count).filter(|row| !left.candidates.contains(row)) {
         let entry = |k| if k == row { S::one() } else { S::zero() };
         directions.push((0..count).map(entry).collect());
     }
@@ -34,7 +34,7 @@ pub(super) fn null_directions<S: Scalar>(
 fn null_direction<S: Scalar>(pivots: &[FactorStep<S>], start: Vec<S>) -> Vec<S> {
     pivots.iter().rev().fold(start, |x, pivot| {
         let step = -dot(&pivot.column, &x);
-        plus_scaled(x, &pivot.choice, step)
+        plus_scaled(x, &pivot.selector, step)
     })
 }
 
@@ -53,7 +53,7 @@ fn first<S: Scalar>(weights: &[S]) -> Vec<S> {
 pub(super) fn orthonormal<S: Scalar>(directions: Vec<Vec<S>>) -> Vec<Vec<S>> {
     let mut units: Vec<Vec<S>> = Vec::new();
     for direction in directions {
-        let own = units.iter().fold(direction, |x, unit| without(x, unit));
+        let own = units.iter().fold(direction, |x, unit| project_out(x, unit));
         let length = dot(&own, &own).recip_above(S::one()).sqrt();
         units.push(own.iter().map(|&x| x * length).collect());
     }

@@ -24,15 +24,14 @@ fn solved<const N: usize>(
         some.map(|(_, v)| v)
     };
     // Other vectors of the same products.
-    let dof =
-        |v: &[f64; N]| DelassusTerm { along: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
+    let dof = |v: &[f64; N]| DelassusTerm { t: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
     let entry = |i: usize, j: usize| of(false).map(|v| v[i] * v[j]).sum();
     let system = ConstraintSystem {
-        dofs: of(true).map(dof).collect(),
+        terms: of(true).map(dof).collect(),
         repeated: (0..N).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect(),
-        sizes: (0..N).map(|i| vectors.iter().map(|v| v[i].abs().max(1.0)).sum()).collect(),
-        right,
-        linkage: ConstraintRank { rank, noise: 64.0 },
+        scales: (0..N).map(|i| vectors.iter().map(|v| v[i].abs().max(1.0)).sum()).collect(),
+        rhs: right,
+        rank: ConstraintRank { rank, rounding: 64.0 },
     };
     solve(&system, &mut Trace::new())
 }

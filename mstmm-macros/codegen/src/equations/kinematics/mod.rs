@@ -6,7 +6,7 @@
 //! | symbol | in code | meaning |
 //! |---|---|---|
 //! | `Ω` | [`LinkKinematics::omega`] | angular velocity, work axes |
-//! | `m`, `m r_C`, `J` | `mass`, `moment`, `inertia` | of a part about its point, work axes |
+//! | `m`, `m r_C`, `J` | `mass`, `first_moment`, `inertia` | of a part about its point, work axes |
 //! | `S` | [`HingeKinematics::subspace`] | motion of the child against the parent for each rate |
 //! | `b` | [`BiasAcceleration`] | bias acceleration of the point against the parent's |
 //!
@@ -16,9 +16,11 @@
 
 mod hinge_kinematics;
 mod pose;
+mod rigid_inertia;
 
 pub use hinge_kinematics::{BiasAcceleration, HingeKinematics, hinge_kinematics};
 pub use pose::{Pose, poses};
+pub use rigid_inertia::RigidInertia;
 
 use super::strategy::Axes;
 use super::sweep::{Flatten, PerLink};
@@ -45,7 +47,7 @@ pub struct LinkKinematics<S> {
     /// Mass.
     pub mass: S,
     /// First moment `m r_C` about the point.
-    pub moment: Vec3<S>,
+    pub first_moment: Vec3<S>,
     /// Inertia about the point.
     pub inertia: Sym3<S>,
 }
@@ -84,14 +86,14 @@ impl<S: Scalar> LinkKinematics<S> {
 
     /// The inertia that links `a` and `F` at the point.
     pub fn spatial_inertia(&self) -> SpatialInertia<S> {
-        SpatialInertia::rigid(self.mass, self.moment, self.inertia)
+        SpatialInertia::rigid(self.mass, self.first_moment, self.inertia)
     }
 
     /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and,
     /// about the point, the gyroscopic part of `E_9`.
     pub fn velocity_wrench(&self) -> Wrench<S> {
         let moment = self.inertia.gyroscopic(self.omega);
-        Wrench { force: self.moment.centripetal_by_products(self.omega), moment }
+        Wrench { force: self.first_moment.centripetal_by_products(self.omega), moment }
     }
 }
 
@@ -114,7 +116,7 @@ pub fn kinematics<S: Scalar>(
         trace.vector(&format!("{name}_omega"), next.omega);
         trace.vector(&format!("{name}_centripetal"), next.hinge.bias_acceleration.on_parent);
         trace.motion(&format!("{name}_drift"), next.hinge.bias_acceleration.in_hinge);
-        trace.rigid_body(&next.name, next.mass, next.moment, next.inertia);
+        trace.rigid_body(&next.name, next.mass, next.first_moment, next.inertia);
         (
             PartKinematics {
                 part_to_work: next.part_to_work,
@@ -153,17 +155,10 @@ fn link_kinematics<S: Scalar>(
         part_to_work,
         omega: carried + hinge.relative_velocity.angular,
         mass: rigid.mass,
-        moment: part_to_work * rigid.moment,
+        first_moment: part_to_work * rigid.first_moment,
         inertia: part_to_work.rotate_tensor(rigid.inertia),
         hinge,
     }
-}
-
-/// Mass, first moment and inertia of a part about a point, in its own axes.
-struct RigidInertia<S> {
-    mass: S,
-    moment: Vec3<S>,
-    inertia: Sym3<S>,
 }
 
 fn rigid_inertia<S: Scalar>(
@@ -173,8 +168,7 @@ fn rigid_inertia<S: Scalar>(
     point: Vec3<S>,
 ) -> RigidInertia<S> {
     let numbers = context.numbers;
-    let mut all =
-        RigidInertia { mass: S::zero(), moment: Vec3::zero(), inertia: Sym3([S::zero(); 6]) };
+    let mut all = RigidInertia::zero();
     for &member in &link.members {
         let body = &context.chain.bodies[member];
         let (origin, rotation) = context.frame(member);
@@ -186,7 +180,8 @@ fn rigid_inertia<S: Scalar>(
             _ => numbers.inertia_about(body, seen),
         };
         all.mass = all.mass + mass;
-        all.moment = all.moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
+        all.first_moment =
+            all.first_moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
         all.inertia = all.inertia + rotation.rotate_tensor(inertia);
     }
     all

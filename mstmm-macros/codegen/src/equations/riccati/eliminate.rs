@@ -10,7 +10,7 @@ use crate::math::{Scalar, SpatialInertia, Wrench};
 #[derive(Clone, Copy)]
 pub struct HingeDof<S> {
     /// `s`
-    pub column: BasisVector<S>,
+    pub direction: BasisVector<S>,
     /// `τ`
     pub effort: S,
     /// Inertia of its rotor.
@@ -20,7 +20,7 @@ pub struct HingeDof<S> {
 impl<S: Scalar> HingeDof<S> {
     /// The axis whose entries become zero; beside a rotor none do.
     fn axis(&self) -> Option<usize> {
-        match self.column {
+        match self.direction {
             BasisVector::Axis(axis) if self.armature.vanishes() => Some(axis),
             _ => None,
         }
@@ -29,7 +29,7 @@ impl<S: Scalar> HingeDof<S> {
 
 /// Equation (6), if both are axes that depend on each other: `1 / D` of the second, from `Iᴬ`
 /// before the first was eliminated.
-fn inverse_after<S: Scalar>(
+fn second_inverse<S: Scalar>(
     (first, old): &(HingeDof<S>, SpatialInertia<S>),
     second: &HingeDof<S>,
 ) -> Option<S> {
@@ -40,69 +40,70 @@ fn inverse_after<S: Scalar>(
 
 /// All free directions of a hinge, one after the other.
 pub fn eliminate<S: Scalar>(
-    here: &mut ArticulatedBody<S>,
-    conditions: &[HingeDof<S>],
+    body: &mut ArticulatedBody<S>,
+    dofs: &[HingeDof<S>],
 ) -> Vec<EliminatedDof<S>> {
     let mut before = None;
-    let mut one = |(number, condition): (usize, &HingeDof<S>)| {
-        let is_last = number + 1 == conditions.len();
-        let first = before.replace((*condition, here.inertia)).filter(|_| is_last);
-        eliminate_one(here, condition, first.as_ref())
+    let mut one = |(number, dof): (usize, &HingeDof<S>)| {
+        let is_last = number + 1 == dofs.len();
+        let first = before.replace((*dof, body.inertia)).filter(|_| is_last);
+        eliminate_one(body, dof, first.as_ref())
     };
-    conditions.iter().enumerate().map(&mut one).collect()
+    dofs.iter().enumerate().map(&mut one).collect()
 }
 
 /// Equations (1), (2) and (4) for one free direction. Equation (6) takes the direction before it,
 /// with `Iᴬ` as it was then, where this is the last.
 fn eliminate_one<S: Scalar>(
-    here: &mut ArticulatedBody<S>,
-    condition: &HingeDof<S>,
+    body: &mut ArticulatedBody<S>,
+    dof: &HingeDof<S>,
     first: Option<&(HingeDof<S>, SpatialInertia<S>)>,
 ) -> EliminatedDof<S> {
-    let &HingeDof { column, effort, armature } = condition;
-    let s = column.motion();
-    let (old, bias) = (here.inertia, here.bias);
+    let &HingeDof { direction, effort, armature } = dof;
+    let s = direction.motion();
+    let (old, bias) = (body.inertia, body.bias_force);
     let u = old.times(s);
     let pivot = s.power(u) + armature;
-    let early = first.and_then(|first| inverse_after(first, condition));
+    let early = first.and_then(|first| second_inverse(first, dof));
     let inverse = early.unwrap_or_else(|| pivot.recip());
-    let rest = (effort - s.power(bias)) * inverse;
-    let axis = condition.axis();
+    let u_over_d = (effort - s.power(bias)) * inverse;
+    let axis = dof.axis();
     let is_along = |k: usize| axis == Some(k);
     let gain = Wrench::from_fn(|k| if is_along(k) { S::one() } else { u.at(k) * inverse });
-    let waiting = axis.filter(|_| strategy::waits_for_pivot(&u));
-    here.inertia = SpatialInertia::from_fn(|i, j| {
+    let waiting_axis = axis.filter(|_| strategy::waits_for_pivot(&u));
+    body.inertia = SpatialInertia::from_fn(|i, j| {
         if is_along(i) || is_along(j) {
             S::zero()
-        } else if waiting.is_some() {
+        } else if waiting_axis.is_some() {
             old.at(i, j) - u.at(i) * u.at(j) * inverse
         } else {
             old.at(i, j) - gain.at(i) * u.at(j)
         }
     });
-    here.bias = Wrench::from_fn(|k| if is_along(k) { effort } else { bias.at(k) + u.at(k) * rest });
-    let (along, sizes) = here.eliminate_columns(condition, gain);
-    let by_pivot = along.iter().map(|&t| t * inverse).collect();
-    EliminatedDof { column, pivot, inverse, gain, rest, along, by_pivot, sizes, waiting }
+    body.bias_force =
+        Wrench::from_fn(|k| if is_along(k) { effort } else { bias.at(k) + u.at(k) * u_over_d });
+    let (t, t_scales) = body.eliminate_constraints(dof, gain);
+    let t_over_d = t.iter().map(|&t| t * inverse).collect();
+    EliminatedDof { direction, pivot, inverse, gain, u_over_d, t, t_over_d, t_scales, waiting_axis }
 }
 
 impl<S: Scalar> ArticulatedBody<S> {
     /// Equation (4) for `Tᴬ`: `t`, and what its squares would be if nothing in them cancelled.
-    fn eliminate_columns(&mut self, condition: &HingeDof<S>, gain: Wrench<S>) -> (Vec<S>, Vec<S>) {
-        let (s, axis) = (condition.column.motion(), condition.axis());
-        let t: Vec<S> = self.columns.iter().map(|&column| s.power(column)).collect();
-        let size = |column: &Wrench<S>| {
+    fn eliminate_constraints(&mut self, dof: &HingeDof<S>, gain: Wrench<S>) -> (Vec<S>, Vec<S>) {
+        let (s, axis) = (dof.direction.motion(), dof.axis());
+        let t: Vec<S> = self.constraint_wrenches.iter().map(|&column| s.power(column)).collect();
+        let scale = |column: &Wrench<S>| {
             let force = column.force.dot(column.force);
-            let moment = column.moment.dot(column.moment) + force * self.reach;
-            condition.column.pivot_scale(force, moment)
+            let moment = column.moment.dot(column.moment) + force * self.squared_arms;
+            dof.direction.pivot_scale(force, moment)
         };
-        let sizes = self.columns.iter().map(size).collect();
-        for (column, &t) in self.columns.iter_mut().zip(&t) {
+        let t_scales = self.constraint_wrenches.iter().map(scale).collect();
+        for (column, &t) in self.constraint_wrenches.iter_mut().zip(&t) {
             let old = *column;
             let left = |k| if axis == Some(k) { S::zero() } else { old.at(k) - gain.at(k) * t };
             *column = Wrench::from_fn(left);
         }
-        (t, sizes)
+        (t, t_scales)
     }
 }
 
@@ -118,7 +119,7 @@ pub mod tests {
     }
 
     /// What a hinge may carry: all entries depend on each other, those about y and z most.
-    pub fn articulated() -> ArticulatedBody<Structured<f64>> {
+    pub fn articulated_body() -> ArticulatedBody<Structured<f64>> {
         let inertia = SpatialInertia {
             linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7].map(some)),
             coupling: Mat3(
@@ -130,24 +131,27 @@ pub mod tests {
             force: Vec3([0.3, -0.7, 1.1].map(some)),
             moment: Vec3([1.3, 0.9, -0.1].map(some)),
         };
-        ArticulatedBody { scales: (some(10.0), some(7.0)), ..ArticulatedBody::with(inertia, bias) }
+        ArticulatedBody {
+            pivot_scales: (some(10.0), some(7.0)),
+            ..ArticulatedBody::new(inertia, bias)
+        }
     }
 
     /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
     /// one to the next until no digit is left.
     #[test]
     fn what_a_ball_lets_go_is_exactly_zero() {
-        let mut here = articulated();
-        let condition = |(k, effort): (usize, f64)| {
+        let mut body = articulated_body();
+        let dof = |(k, effort): (usize, f64)| {
             let (effort, armature) = (some(effort), Structured::zero());
-            HingeDof { column: BasisVector::Axis(3 + k), effort, armature }
+            HingeDof { direction: BasisVector::Axis(3 + k), effort, armature }
         };
-        let conditions = [0.25, -0.5, 0.125].into_iter().enumerate().map(condition);
-        let conditions: Vec<HingeDof<Structured<f64>>> = conditions.collect();
-        let steps = eliminate(&mut here, &conditions);
+        let dofs = [0.25, -0.5, 0.125].into_iter().enumerate().map(dof);
+        let dofs: Vec<HingeDof<Structured<f64>>> = dofs.collect();
+        let steps = eliminate(&mut body, &dofs);
         assert!(steps.iter().all(|step| step.pivot.value() > 0.0));
-        assert!(here.inertia.angular.0.iter().all(|x| x.vanishes()));
-        assert!(here.inertia.coupling.0.iter().flatten().all(|x| x.vanishes()));
-        assert_eq!(here.bias.moment.0.map(|x| x.value()), [0.25, -0.5, 0.125]);
+        assert!(body.inertia.angular.0.iter().all(|x| x.vanishes()));
+        assert!(body.inertia.coupling.0.iter().flatten().all(|x| x.vanishes()));
+        assert_eq!(body.bias_force.moment.0.map(|x| x.value()), [0.25, -0.5, 0.125]);
     }
 }

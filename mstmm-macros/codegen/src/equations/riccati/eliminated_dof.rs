@@ -6,7 +6,7 @@ use crate::math::{Scalar, Wrench};
 /// A free direction that has been eliminated.
 pub struct EliminatedDof<S> {
     /// `s`
-    pub column: BasisVector<S>,
+    pub direction: BasisVector<S>,
     /// `D`
     pub pivot: S,
     /// `1 / D`
@@ -14,25 +14,25 @@ pub struct EliminatedDof<S> {
     /// `K`
     pub gain: Wrench<S>,
     /// `ε / D`
-    pub rest: S,
+    pub u_over_d: S,
     /// `t`
-    pub along: Vec<S>,
+    pub t: Vec<S>,
     /// `t / D`
-    pub by_pivot: Vec<S>,
+    pub t_over_d: Vec<S>,
     /// What the squares of `t` would be if nothing in them cancelled.
-    pub sizes: Vec<S>,
+    pub t_scales: Vec<S>,
     /// The axis that it is, if what follows waits for `1 / D`.
-    pub waiting: Option<usize>,
+    pub waiting_axis: Option<usize>,
 }
 
 impl<S: Scalar> EliminatedDof<S> {
     /// `K` without its entry along the axis, which is one.
-    pub fn gain_beside(&self, axis: usize) -> Wrench<S> {
+    pub fn gain_without(&self, axis: usize) -> Wrench<S> {
         Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })
     }
 
     /// Takes the reactions of a closing hinge into `ε`.
     pub fn add_reactions(&mut self, reactions: &[S]) {
-        self.rest = self.rest - dot(&self.by_pivot, reactions);
+        self.u_over_d = self.u_over_d - dot(&self.t_over_d, reactions);
     }
 }

@@ -16,92 +16,105 @@ pub struct InwardSweep<S> {
     /// What each link has eliminated.
     pub eliminated: PerLink<Vec<EliminatedDof<S>>>,
     /// What is left of `F = Iᴬ a + pᴬ` then.
-    pub relations: PerLink<AffineWrench<S>>,
+    pub affine_wrenches: PerLink<AffineWrench<S>>,
     /// The open loop as it arrives at the ground.
-    pub open: Option<LoopSums<S>>,
+    pub loop_sums: Option<LoopSums<S>>,
     /// `D` of all directions, the last link first.
     pub pivots: Vec<HingePivot<S>>,
 }
 
 /// From the free ends to the ground.
-pub fn reduce<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>) -> InwardSweep<S> {
-    let step = |link: LinkId, mut here: ArticulatedBody<S>, parent: &mut ArticulatedBody<S>| {
+pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>) -> InwardSweep<S> {
+    let step = |link: LinkId, mut body: ArticulatedBody<S>, parent: &mut ArticulatedBody<S>| {
         let hinge = &problem.links[link].hinge;
         trace.section(
             format!("{}_riccati", hinge.name),
             format!("Riccati transfer over `{}`", hinge.name),
             "F = I a + p, [P, Eqs. (18), (19), (25), (35)]",
         );
-        trace.inertia(&format!("{}_articulated", hinge.name), here.inertia);
-        trace.wrench(&format!("{}_bias", hinge.name), here.bias);
-        for (number, &column) in here.columns.iter().enumerate() {
-            trace.wrench(&format!("{}_column{number}", hinge.name), column);
+        trace.inertia(&format!("{}_articulated", hinge.name), body.inertia);
+        trace.wrench(&format!("{}_bias", hinge.name), body.bias_force);
+        for (number, &wrench) in body.constraint_wrenches.iter().enumerate() {
+            trace.wrench(&format!("{}_column{number}", hinge.name), wrench);
         }
-        let conditions = conditions(hinge, &problem.efforts[link]);
-        let steps = eliminate(&mut here, &conditions);
-        if let Some(open) = &mut here.open {
-            open.add_directions(&steps, problem.tree.is_repeated(link));
-            open.add_drift(problem.drift[link], hinge, &here.columns);
+        let dofs = dofs(hinge, &problem.efforts[link]);
+        let steps = eliminate(&mut body, &dofs);
+        if let Some(sums) = &mut body.loop_sums {
+            sums.add_dofs(&steps, problem.tree.is_repeated(link));
+            sums.add_bias_acceleration(
+                problem.bias_accelerations[link],
+                hinge,
+                &body.constraint_wrenches,
+            );
         }
-        let pivots = pivots(link, &here, &conditions, &steps);
+        let pivots = pivots(link, &body, &dofs, &steps);
         record(trace, &hinge.name, &steps, &pivots);
-        let relation = AffineWrench { inertia: here.inertia, bias: here.bias };
+        let affine_wrench = AffineWrench { inertia: body.inertia, bias_force: body.bias_force };
         match problem.links[link].parent {
-            Some(_) => here.add_to_parent(problem, link, parent),
-            None => parent.hold(here.on_ground(hinge.motion_from_parent(problem.ground))),
+            Some(_) => body.add_to_parent(problem, link, parent),
+            None => parent.adopt_loop(
+                body.loop_on_ground(hinge.motion_from_parent(problem.base_acceleration)),
+            ),
         }
-        (steps, pivots, relation)
+        (steps, pivots, affine_wrench)
     };
     let nothing = SpatialInertia::from_fn(|_, _| S::zero());
-    let ground = ArticulatedBody::with(nothing, Wrench::zero());
+    let ground = ArticulatedBody::new(nothing, Wrench::zero());
     let (records, ground) = problem.tree.inward(own(problem), ground, step);
     let pivots = records.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
-    let relations = if strategy::keeps_relations(problem.closing.is_some()) {
-        records.iter().map(|&(.., relation)| relation).collect()
+    let affine_wrenches = if strategy::keeps_affine_wrenches(problem.loop_constraints.is_some()) {
+        records.iter().map(|&(.., wrench)| wrench).collect()
     } else {
         PerLink::new()
     };
     let eliminated = records.into_iter().map(|(steps, ..)| steps).collect();
-    InwardSweep { eliminated, relations, open: ground.open, pivots }
+    InwardSweep { eliminated, affine_wrenches, loop_sums: ground.loop_sums, pivots }
 }
 
 /// What every link has of itself, the closing hinge where it hangs on the link.
 fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
-    let of = |(link, &bias): (LinkId, &Wrench<S>)| {
+    let of = |(link, &bias_force): (LinkId, &Wrench<S>)| {
         let inertia = problem.inertia(link);
-        ArticulatedBody { scales: problem.scales(link), ..ArticulatedBody::with(inertia, bias) }
+        ArticulatedBody {
+            pivot_scales: problem.pivot_scales(link),
+            ..ArticulatedBody::new(inertia, bias_force)
+        }
     };
-    let mut all: PerLink<ArticulatedBody<S>> = problem.loads.enumerate().map(of).collect();
-    if let (Some(demand), Some((link, columns))) = (&problem.closing, problem.pulls()) {
-        let hinge = &demand.closing.hinge;
-        all[link].bias = all[link].bias + hinge.wrench_to_parent(demand.given);
-        all[link].open = Some(LoopSums::new(columns.len()));
-        all[link].columns = columns;
-        all[link].reach = hinge.arm.dot(hinge.arm);
+    let mut all: PerLink<ArticulatedBody<S>> = problem.bias_forces.enumerate().map(of).collect();
+    if let (Some(constraints), Some((link, wrenches))) =
+        (&problem.loop_constraints, problem.constraint_wrenches())
+    {
+        let hinge = &constraints.loop_hinge.hinge;
+        all[link].bias_force = all[link].bias_force + hinge.wrench_to_parent(constraints.applied);
+        all[link].loop_sums = Some(LoopSums::new(wrenches.len()));
+        all[link].constraint_wrenches = wrenches;
+        all[link].squared_arms = hinge.arm.dot(hinge.arm);
     }
     all
 }
 
 /// The free directions of a hinge with their efforts.
-fn conditions<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
+fn dofs<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
     let given = efforts.iter().zip(&hinge.basis.armature);
     let columns = hinge.basis.columns.iter().zip(given);
-    columns.map(|(&column, (&effort, &armature))| HingeDof { column, effort, armature }).collect()
+    columns
+        .map(|(&direction, (&effort, &armature))| HingeDof { direction, effort, armature })
+        .collect()
 }
 
 /// What a link divides by.
 fn pivots<S: Scalar>(
     link: LinkId,
-    here: &ArticulatedBody<S>,
-    conditions: &[HingeDof<S>],
+    body: &ArticulatedBody<S>,
+    dofs: &[HingeDof<S>],
     steps: &[EliminatedDof<S>],
 ) -> Vec<HingePivot<S>> {
-    let (mass, moment) = here.scales;
-    let of = |(condition, step): (&HingeDof<S>, &EliminatedDof<S>)| {
-        let scale = condition.column.pivot_scale(mass, moment) + condition.armature;
+    let (mass, moment) = body.pivot_scales;
+    let of = |(dof, step): (&HingeDof<S>, &EliminatedDof<S>)| {
+        let scale = dof.direction.pivot_scale(mass, moment) + dof.armature;
         HingePivot { link, value: step.pivot, scale }
     };
-    conditions.iter().zip(steps).map(of).collect()
+    dofs.iter().zip(steps).map(of).collect()
 }
 
 fn record<S: Scalar>(
@@ -116,9 +129,9 @@ fn record<S: Scalar>(
         trace.number(format!("{name}_d{number}_inverse"), step.inverse);
         trace.number(format!("{name}_d{number}_scale"), pivot.scale);
         trace.wrench(&format!("{name}_gain{number}"), step.gain);
-        trace.number(format!("{name}_rest{number}"), step.rest);
-        for (column, &along) in step.along.iter().enumerate() {
-            trace.number(format!("{name}_column{column}_along{number}"), along);
+        trace.number(format!("{name}_rest{number}"), step.u_over_d);
+        for (constraint, &t) in step.t.iter().enumerate() {
+            trace.number(format!("{name}_constraint{constraint}_t{number}"), t);
         }
     }
 }

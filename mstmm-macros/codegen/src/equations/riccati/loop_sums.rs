@@ -14,11 +14,11 @@ pub struct LoopSums<S> {
     /// `γ`
     gamma: Vec<S>,
     /// What `Λ` is the sum of, outside of repeated parts.
-    dofs: Vec<DelassusTerm<S>>,
+    terms: Vec<DelassusTerm<S>>,
     /// The part of `Λ` that repeated parts add, below the diagonal and on it, by rows.
     repeated: Vec<Vec<S>>,
     /// What the diagonal of `Λ` would be if nothing in it cancelled.
-    sizes: Vec<S>,
+    scales: Vec<S>,
 }
 
 impl<S: Scalar> LoopSums<S> {
@@ -27,49 +27,49 @@ impl<S: Scalar> LoopSums<S> {
         let row = |row: usize| vec![S::zero(); row + 1];
         LoopSums {
             gamma: vec![S::zero(); count],
-            dofs: Vec::new(),
+            terms: Vec::new(),
             repeated: (0..count).map(row).collect(),
-            sizes: vec![S::zero(); count],
+            scales: vec![S::zero(); count],
         }
     }
 
     /// Equation (4) for the directions of a hinge, except for `Tᴬ`.
-    pub fn add_directions(&mut self, steps: &[EliminatedDof<S>], is_repeated: bool) {
-        steps.iter().for_each(|step| self.add_direction(step, is_repeated));
+    pub fn add_dofs(&mut self, steps: &[EliminatedDof<S>], is_repeated: bool) {
+        steps.iter().for_each(|step| self.add_dof(step, is_repeated));
     }
 
-    fn add_direction(&mut self, step: &EliminatedDof<S>, is_repeated: bool) {
-        let EliminatedDof { along, inverse, rest, by_pivot, sizes, .. } = step;
-        for (i, &t) in along.iter().enumerate() {
-            self.gamma[i] = self.gamma[i] + t * *rest;
-            self.sizes[i] = self.sizes[i] + sizes[i] * *inverse;
+    fn add_dof(&mut self, step: &EliminatedDof<S>, is_repeated: bool) {
+        let EliminatedDof { t, inverse, u_over_d, t_over_d, t_scales, .. } = step;
+        for (i, &t) in t.iter().enumerate() {
+            self.gamma[i] = self.gamma[i] + t * *u_over_d;
+            self.scales[i] = self.scales[i] + t_scales[i] * *inverse;
         }
         if !is_repeated {
-            return self.dofs.push(DelassusTerm { along: along.clone(), inverse: *inverse });
+            return self.terms.push(DelassusTerm { t: t.clone(), inverse: *inverse });
         }
-        for (row, &t) in self.repeated.iter_mut().zip(along) {
-            for (sum, &other) in row.iter_mut().zip(by_pivot) {
+        for (row, &t) in self.repeated.iter_mut().zip(t) {
+            for (sum, &other) in row.iter_mut().zip(t_over_d) {
                 *sum = *sum + t * other;
             }
         }
     }
 
     /// What joins `a` on the way over a hinge.
-    pub fn add_drift(
+    pub fn add_bias_acceleration(
         &mut self,
-        drift: BiasAcceleration<S>,
+        bias: BiasAcceleration<S>,
         hinge: &HingeKinematics<S>,
-        columns: &[Wrench<S>],
+        wrenches: &[Wrench<S>],
     ) {
-        for (gamma, column) in self.gamma.iter_mut().zip(columns) {
-            *gamma = *gamma + drift.power(&hinge.to_parent, *column);
+        for (gamma, wrench) in self.gamma.iter_mut().zip(wrenches) {
+            *gamma = *gamma + bias.power(&hinge.to_parent, *wrench);
         }
     }
 
     /// The part of equation (5) that the ground makes, from its `a` at a root's point.
-    pub fn on_ground(mut self, ground: Motion<S>, columns: &[Wrench<S>]) -> Self {
-        for (gamma, column) in self.gamma.iter_mut().zip(columns) {
-            *gamma = *gamma + ground.power(*column);
+    pub fn with_base_acceleration(mut self, a: Motion<S>, wrenches: &[Wrench<S>]) -> Self {
+        for (gamma, wrench) in self.gamma.iter_mut().zip(wrenches) {
+            *gamma = *gamma + a.power(*wrench);
         }
         self
     }
@@ -79,34 +79,36 @@ impl<S: Scalar> Flatten<S> for LoopSums<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let gamma = self.gamma.visit(replace);
         let repeated = self.repeated.visit(replace);
-        let sizes = self.sizes.visit(replace);
-        LoopSums { gamma, dofs: self.dofs, repeated, sizes }
+        let scales = self.scales.visit(replace);
+        LoopSums { gamma, terms: self.terms, repeated, scales }
     }
 }
 
 /// Equation (5) solved for the reactions, from the loop as it has arrived at the ground.
-pub fn close<S: Scalar>(
+pub fn solve_constraints<S: Scalar>(
     problem: &MotionProblem<S>,
-    open: Option<LoopSums<S>>,
+    sums: Option<LoopSums<S>>,
     trace: &mut Trace<S>,
 ) -> ConstraintForces<S> {
-    let Some(demand) = &problem.closing else { return ConstraintForces::none() };
+    let Some(constraints) = &problem.loop_constraints else { return ConstraintForces::none() };
     trace.section("closure", "Closure", "[P, Eqs. (9) to (11)] at the held end");
-    let held = &demand.closing.held;
+    let rows = &constraints.loop_hinge.constraints;
     // Where the closing hinge hangs on the ground, nothing it does moves anything.
-    let open =
-        open.unwrap_or_else(|| LoopSums { gamma: problem.at_rest(), ..LoopSums::new(held.len()) });
-    let LoopSums { gamma, mut dofs, repeated, mut sizes, .. } = open;
-    for (k, held) in held.iter().enumerate().filter(|(_, held)| !held.inertia.vanishes()) {
-        let along = (0..sizes.len()).map(|i| if i == k { S::one() } else { S::zero() }).collect();
-        dofs.push(DelassusTerm { along, inverse: held.inertia });
-        sizes[k] = sizes[k] + held.inertia;
+    let sums = sums.unwrap_or_else(|| LoopSums {
+        gamma: problem.gamma_on_ground(),
+        ..LoopSums::new(rows.len())
+    });
+    let LoopSums { gamma, mut terms, repeated, mut scales } = sums;
+    for (k, row) in rows.iter().enumerate().filter(|(_, row)| !row.inertia.vanishes()) {
+        let t = (0..scales.len()).map(|i| if i == k { S::one() } else { S::zero() }).collect();
+        terms.push(DelassusTerm { t, inverse: row.inertia });
+        scales[k] = scales[k] + row.inertia;
     }
-    let right: Vec<S> = gamma.iter().zip(&demand.reached).map(|(&g, &r)| g - r).collect();
-    for (k, (&size, &right)) in sizes.iter().zip(&right).enumerate() {
-        trace.number(format!("closure_size{k}"), size);
-        trace.number(format!("closure_right{k}"), right);
+    let rhs: Vec<S> = gamma.iter().zip(&constraints.targets).map(|(&g, &r)| g - r).collect();
+    for (k, (&scale, &rhs)) in scales.iter().zip(&rhs).enumerate() {
+        trace.number(format!("closure_size{k}"), scale);
+        trace.number(format!("closure_right{k}"), rhs);
     }
-    let linkage = demand.linkage.clone();
-    constraint_forces::solve(&ConstraintSystem { dofs, repeated, sizes, right, linkage }, trace)
+    let rank = constraints.rank.clone();
+    constraint_forces::solve(&ConstraintSystem { terms, repeated, scales, rhs, rank }, trace)
 }

@@ -55,30 +55,40 @@ use super::motion_problem::{AffineWrench, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
 use super::{HingePivot, Trace};
 use crate::math::Scalar;
-use inward::{InwardSweep, reduce};
-use outward::recover;
+use inward::{InwardSweep, sweep_inward};
+use outward::sweep_outward;
 
 /// The movement, and the pivots `D`.
 pub fn solve<S: Scalar>(
     problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
 ) -> (MotionSolution<S>, Vec<HingePivot<S>>) {
-    let InwardSweep { mut eliminated, relations, open, pivots } = reduce(problem, trace);
-    let closure = loop_sums::close(problem, open, trace);
+    let InwardSweep { mut eliminated, affine_wrenches, loop_sums, pivots } =
+        sweep_inward(problem, trace);
+    let constraint_forces = loop_sums::solve_constraints(problem, loop_sums, trace);
     for step in eliminated.iter_mut().flatten() {
-        step.add_reactions(&closure.reactions);
+        step.add_reactions(&constraint_forces.reactions);
     }
-    let (amounts, points) = recover(problem, &eliminated, trace);
-    (MotionSolution { amounts, points, relations, closure }, pivots)
+    let (basis_accelerations, link_accelerations) = sweep_outward(problem, &eliminated, trace);
+    (
+        MotionSolution {
+            basis_accelerations,
+            link_accelerations,
+            affine_wrenches,
+            constraint_forces,
+        },
+        pivots,
+    )
 }
 
 /// For methods that solve for the movement in another way: pivots, the reactions of a closing
 /// hinge, and what hinges transmit.
-pub fn reduced<S: Scalar>(
+pub fn pivots_and_constraint_forces<S: Scalar>(
     problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
 ) -> (Vec<HingePivot<S>>, ConstraintForces<S>, PerLink<AffineWrench<S>>) {
-    let InwardSweep { pivots, open, relations, .. } = reduce(problem, &mut Trace::silent());
+    let InwardSweep { pivots, loop_sums, affine_wrenches, .. } =
+        sweep_inward(problem, &mut Trace::silent());
     trace.section(
         "pivots",
         "Inertia beyond the hinges, to be divided by",
@@ -87,6 +97,6 @@ pub fn reduced<S: Scalar>(
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].hinge.name), pivot.value);
     }
-    let closure = loop_sums::close(problem, open, trace);
-    (pivots, closure, relations)
+    let constraint_forces = loop_sums::solve_constraints(problem, loop_sums, trace);
+    (pivots, constraint_forces, affine_wrenches)
 }

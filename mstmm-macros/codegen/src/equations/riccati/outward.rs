@@ -9,29 +9,30 @@ use crate::ids::LinkId;
 use crate::math::{Motion, Scalar};
 
 /// The accelerations `v̇` along all free directions and the accelerations of all points.
-pub(super) fn recover<S: Scalar>(
+pub(super) fn sweep_outward<S: Scalar>(
     problem: &MotionProblem<S>,
     eliminated: &PerLink<Vec<EliminatedDof<S>>>,
     trace: &mut Trace<S>,
 ) -> (PerLink<Vec<S>>, PerLink<Motion<S>>) {
-    let (points, amounts) = problem.tree.outward(problem.ground, |link, &parent| {
-        let hinge = &problem.links[link].hinge;
-        trace.section(
-            format!("{}_acceleration", hinge.name),
-            format!("Acceleration of `{}`", hinge.name),
-            "[P, Eqs. (13), (36), (44)]",
-        );
-        let carried = problem.motion_from_parent(link, parent);
-        let (amounts, acceleration) = match &eliminated[link][..] {
-            [step @ EliminatedDof { waiting: Some(axis), .. }] => {
-                advance_early(problem, link, (parent, carried), step, *axis)
-            }
-            steps => advance(carried, steps, &hinge.basis.armature),
-        };
-        trace.motion(&format!("{}_a", hinge.name), acceleration);
-        (acceleration, amounts)
-    });
-    (amounts, points)
+    let (accelerations, rates) =
+        problem.tree.outward(problem.base_acceleration, |link, &parent| {
+            let hinge = &problem.links[link].hinge;
+            trace.section(
+                format!("{}_acceleration", hinge.name),
+                format!("Acceleration of `{}`", hinge.name),
+                "[P, Eqs. (13), (36), (44)]",
+            );
+            let carried = problem.acceleration_from_parent(link, parent);
+            let (rates, acceleration) = match &eliminated[link][..] {
+                [step @ EliminatedDof { waiting_axis: Some(axis), .. }] => {
+                    advance_early(problem, link, (parent, carried), step, *axis)
+                }
+                steps => advance(carried, steps, &hinge.basis.armature),
+            };
+            trace.motion(&format!("{}_a", hinge.name), acceleration);
+            (acceleration, rates)
+        });
+    (rates, accelerations)
 }
 
 /// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `v̇` as
@@ -44,16 +45,16 @@ fn advance<S: Scalar>(
     let mut rates = Vec::new();
     for (step, armature) in steps.iter().zip(armatures).rev() {
         let before = acceleration;
-        let rate = match step.column {
+        let rate = match step.direction {
             // The new component follows without the old one, which then matters to `v̇` alone.
             BasisVector::Axis(axis) if armature.vanishes() => {
-                let new = step.rest - before.power(step.gain_beside(axis));
+                let new = step.u_over_d - before.power(step.gain_without(axis));
                 acceleration = before.with_entry(axis, new);
                 new - before.at(axis)
             }
-            column => {
-                let rate = step.rest - before.power(step.gain);
-                acceleration = before + column.motion().scaled(rate);
+            direction => {
+                let rate = step.u_over_d - before.power(step.gain);
+                acceleration = before + direction.motion().scaled(rate);
                 rate
             }
         };
@@ -71,50 +72,50 @@ fn advance_early<S: Scalar>(
     step: &EliminatedDof<S>,
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
-    let gain = step.gain_beside(axis);
+    let gain = step.gain_without(axis);
     let hinge = &problem.links[link].hinge;
-    let rest = step.rest - problem.drift[link].power(&hinge.to_parent, gain);
-    let new = rest - parent.power(hinge.wrench_to_parent(gain));
+    let known = step.u_over_d - problem.bias_accelerations[link].power(&hinge.to_parent, gain);
+    let new = known - parent.power(hinge.wrench_to_parent(gain));
     (vec![new - carried.at(axis)], carried.with_entry(axis, new))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::eliminate::tests::{articulated, some};
+    use super::super::eliminate::tests::{articulated_body, some};
     use super::super::eliminate::{HingeDof, eliminate};
     use super::{BasisVector, Motion, advance};
     use crate::math::{Scalar, Structured, Vec3};
 
     /// `Sᵀ (A (a' + S v̇) + e) + H v̇ = τ` for all directions of a hinge at once.
     fn check(columns: &[usize], armatures: &[f64]) {
-        let mut here = articulated();
-        let (inertia, load) = (here.inertia, here.bias);
+        let mut body = articulated_body();
+        let (inertia, load) = (body.inertia, body.bias_force);
         let rotor = |number: usize| match armatures[number] {
             0.0 => Structured::zero(),
             armature => some(armature),
         };
-        let conditions: Vec<HingeDof<Structured<f64>>> = columns
+        let dofs: Vec<HingeDof<Structured<f64>>> = columns
             .iter()
             .enumerate()
             .map(|(number, &axis)| HingeDof {
-                column: BasisVector::Axis(axis),
+                direction: BasisVector::Axis(axis),
                 effort: some(0.25 - 0.375 * number as f64),
                 armature: rotor(number),
             })
             .collect();
-        let steps = eliminate(&mut here, &conditions);
+        let steps = eliminate(&mut body, &dofs);
         let carried = Motion {
             linear: Vec3([0.7, -0.2, 1.9].map(some)),
             angular: Vec3([-0.4, 0.6, 0.5].map(some)),
         };
-        let rotors: Vec<Structured<f64>> = conditions.iter().map(|c| c.armature).collect();
+        let rotors: Vec<Structured<f64>> = dofs.iter().map(|c| c.armature).collect();
         let (rates, acceleration) = advance(carried, &steps, &rotors);
         let transmitted = inertia.times(acceleration) + load;
-        for (condition, rate) in conditions.iter().zip(rates) {
-            let found = condition.column.motion().power(transmitted) + condition.armature * rate;
+        for (dof, rate) in dofs.iter().zip(rates) {
+            let found = dof.direction.motion().power(transmitted) + dof.armature * rate;
             // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred
             // roundings.
-            let error = (found - condition.effort).value().abs();
+            let error = (found - dof.effort).value().abs();
             assert!(error < 10.0 * 100.0 * f64::EPSILON, "{columns:?} {armatures:?}: {error:e}");
         }
     }
