@@ -1,10 +1,12 @@
-//! What of a body's inertia the turning of its hinge leaves in place: that may as well be the
-//! parent's.
+//! Base parameters: inertia that is transferred from a link to its parent without changing the
+//! motion.
 //!
-//! On the axis of a pin a thin rod moves as the parent does: `m`, `m z_C` and the moment of inertia
-//! across the axis. What is left has zeros in their places, and the parent's numbers are constants
-//! as before: base parameters. `Iᴬ` of a body is then less by what went to the parent, which comes
-//! in again behind its hinge.
+//! A thin rod along the axis of a pin moves as the parent does. Its mass `m`, its first moment `m
+//! z_C` and its moment of inertia across the axis can therefore be the parent's. The link's own
+//! inertia then has zeros in their place, and the parent's inertia stays constant. `Iᴬ` of the link
+//! lacks what was transferred; inboard of its hinge `Iᴬ` is complete again.
+//!
+//! All quantities of a link belong to its point, in its work axes.
 
 use super::kinematics::{LinkKinematics, RigidInertia};
 use super::strategy;
@@ -13,17 +15,18 @@ use super::{EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
 
-/// What a link had before.
+/// The inertia of a link before the change to base parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct OriginalInertia<S> {
-    /// The mass that it has given to its parent.
+    /// The mass that was transferred to the parent.
     pub transferred_mass: S,
-    /// Mass and trace of the inertia as written, which pivots are measured by.
+    /// Mass, and trace of the inertia, before the transfer: the scales of pivots.
     pub scales: (S, S),
 }
 
-/// Redistributes from the free end to the ground, over every hinge that turns about one axis, but
-/// for those at boundaries of repeated parts; as much as saves [`strategy::operations`].
+/// Transfers inertia from the free ends to the ground, over every hinge that rotates about one axis
+/// except at the boundaries of repeated parts, if this saves operations
+/// ([`strategy::operation_count`]).
 pub fn to_base_parameters<S: Scalar>(
     context: &EvalContext<S>,
     links: &mut PerLink<LinkKinematics<S>>,
@@ -59,8 +62,8 @@ pub fn to_base_parameters<S: Scalar>(
     masses.into_iter().zip(scales).map(original).collect()
 }
 
-/// What a link and its parent have with the fewest operations, and the mass that the link gives
-/// away.
+/// Returns the inertias of a link and its parent that need the fewest operations, and the
+/// transferred mass.
 fn cheapest<S: Scalar>(
     link: &LinkKinematics<S>,
     (own, of_parent): (RigidInertia<S>, RigidInertia<S>),
@@ -79,8 +82,8 @@ fn cheapest<S: Scalar>(
     (best, given)
 }
 
-/// What of a link that turns about one of its axes may be its parent's: a rod along that, without
-/// and with a moment of inertia.
+/// Returns what a link can transfer to its parent, if the link rotates about one of its axes: a rod
+/// along this axis, without and with a moment of inertia.
 fn transferable<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Vec<RigidInertia<S>> {
     let Some(axis) = rotation_axis(link) else { return Vec::new() };
     let first_moment = Vec3::from_fn(|k| if k == axis { own.first_moment[k] } else { S::zero() });
@@ -91,7 +94,7 @@ fn transferable<S: Scalar>(link: &LinkKinematics<S>, own: RigidInertia<S>) -> Ve
     vec![without, RigidInertia { inertia, ..without }]
 }
 
-/// The axis that a link's hinge turns about, if it is one of the link's axes alone.
+/// Returns the axis that a link's hinge rotates about, if it is a coordinate axis of the link.
 fn rotation_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
     let [motion] = &link.hinge.subspace[..] else { return None };
     let present = |&k: &usize| !motion.angular[k].vanishes();
@@ -125,7 +128,8 @@ impl<S: Scalar> RigidInertia<S> {
         }
     }
 
-    /// A rod's, in the axes that `rotation` leads to: known, however far its hinge has turned.
+    /// Returns a rod's inertia in the axes that `rotation` leads to. It is constant, since
+    /// `rotation` about the rod does not change the rod.
     fn rotated(self, rotation: Mat3<S>) -> Self {
         let Some(axis) = (0..3).find(|&k| self.inertia.at(k, k).vanishes()) else {
             bug!("a rod has a moment of inertia about its axis")
@@ -139,7 +143,7 @@ impl<S: Scalar> RigidInertia<S> {
         RigidInertia { mass: self.mass, first_moment: rotation * self.first_moment, inertia }
     }
 
-    /// At `arm`, seen from the origin.
+    /// Returns the inertia about the origin of a body whose point is at `arm`.
     fn shifted_from(self, arm: Vec3<S>) -> Self {
         let there =
             SpatialInertia::rigid(self.mass, self.first_moment, self.inertia).shifted_from(arm);
@@ -155,7 +159,7 @@ impl<S: Scalar> RigidInertia<S> {
     }
 }
 
-/// Nothing crosses a boundary.
+/// No values cross a boundary.
 impl<S: Scalar> Flatten<S> for RigidInertia<S> {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
         self

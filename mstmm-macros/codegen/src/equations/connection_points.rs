@@ -1,16 +1,16 @@
-//! Where the connection points of a chain are.
+//! The connection points of a chain.
 
 use super::EvalContext;
 use crate::model::{Attachment, Element, HingeId};
 
-/// Where a connection point is.
+/// The location of a connection point.
 pub struct ConnectionPoint {
     pub place: Attachment,
-    /// The hinge there, if there is one, and whether its outboard side is meant.
+    /// The hinge at the point, if there is one, and whether the point is on its outboard side.
     pub hinge: Option<(HingeId, bool)>,
 }
 
-/// All connection points, in the order written; those of repeated parts once.
+/// Returns all connection points in route order; those of a repeated part once.
 pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
     let chain = context.chain;
     let mut points: Vec<ConnectionPoint> = Vec::new();
@@ -18,12 +18,12 @@ pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
         |points: &mut Vec<ConnectionPoint>, number: usize, point: ConnectionPoint| match points
             .get_mut(number)
         {
-            // A body's end, and now the hinge at it; or a hinge's side, and now the body that it is on.
+            // The entry of a body's end is replaced by that of the hinge there.
             Some(known) if known.hinge.is_none() => *known = point,
             Some(_) => {}
             None => points.push(point),
         };
-    // On a seam what passes is what the seam's weld passes on.
+    // At the boundary of a repeated part, the wrench is that of the weld at the boundary.
     let side = |hinge: HingeId, place: &Attachment, outboard: bool| {
         let weld = chain.repeat_boundary(place).map(|seam| chain.weld_of(seam));
         weld.map_or(

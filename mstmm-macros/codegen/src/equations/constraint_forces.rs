@@ -1,29 +1,29 @@
-//! The reactions of a closing hinge: `Λ λ = b` with `Λ = J M⁻¹ Jᵀ`, which is positive except along
-//! the directions that other directions of the hinge determine already, as all those out of the
-//! plane of a planar loop and three of the five of Bennett's linkage.
+//! The constraint forces `λ` of a loop hinge: `Λ λ = b` with the Delassus matrix `Λ = J M⁻¹ Jᵀ`.
+//! `Λ` is positive except along constraints that depend on others, such as all constraints out of
+//! the plane of a planar loop, and three of the five of Bennett's linkage.
 //!
 //! Row `i` of `J M^(-1/2)` has an entry `t_i / √D` for each degree of freedom that the Riccati
-//! transfer eliminates. Gram and Schmidt's elimination of rows in the order of their norms reveals
-//! the rank: it is Cholesky's factorisation of `Λ` with complete pivoting (Higham, *Accuracy and
-//! Stability of Numerical Algorithms*, section 10.3) without the squares, whose rounding would hide
-//! small singular values. Row `i` is measured by `s_i`, what its square would be if nothing in it
-//! cancelled. Step `k`:
+//! transfer eliminates. Gram-Schmidt elimination of the rows in the order of their norms reveals
+//! the rank. This is the Cholesky factorisation of `Λ` with complete pivoting (Higham, *Accuracy
+//! and Stability of Numerical Algorithms*, section 10.3) without the squares, whose rounding would
+//! hide small singular values. The scale `s_i` of row `i` is its square if nothing cancelled in it.
+//! Step `k`:
 //!
 //! (1)  `i = argmax |J_i|² / s_i`, `r_k = J_i`, `d_k = |r_k|²`, `l_k = J r_k / d_k`, `J ← J − l_k r_kᵀ`
-//! (2)  `Λ = L D Lᵀ`, `L = Q R` with the columns of `Q` across each other, `QᵀQ = Σ`
+//! (2)  `Λ = L D Lᵀ`, `L = Q R` with orthogonal columns of `Q`, `QᵀQ = Σ`
 //! (3)  `λ = Λ⁺ b = Q Σ⁻¹ R⁻ᵀ D⁻¹ R⁻¹ Σ⁻¹ Qᵀ b`
 //! (4)  `N = { x : Lᵀ x = 0 }`
 //!
-//! `λ` has the least norm, in N and N m, of all reactions that fit `b` best; those in `N` make no
-//! difference to the motion. Repeated parts have too many degrees of freedom to keep: they add to a
-//! part of `Λ` itself, and products of rows have that between them.
+//! `λ` has the least norm, in N and N m, of all constraint forces that fit `b` best; those in `N`
+//! do not change the motion. Repeated parts have too many degrees of freedom to store. They are
+//! summed into a part of `Λ`, which then appears in the products of rows.
 //!
-//! A row is chosen by arithmetic, with weights that are one at the row and zero elsewhere, so that
-//! every state takes the same steps. There are as many steps as the closure has rank anywhere,
-//! which is a property of the linkage: off the closure by the error of an integrator's stage the
-//! rank is higher, and a linkage that moves by its proportions only would be rigid. Near a
-//! bifurcation, as in the straight pose of a parallelogram, a pivot vanishes; the direction then
-//! counts as undetermined.
+//! A row is selected by arithmetic, with weights that are one for the row and zero for the others,
+//! so that every state takes the same steps. The number of steps is the largest rank on the closed
+//! configurations, a property of the linkage. In the state of an integrator's stage, which violates
+//! the constraints slightly, the rank is higher, and a linkage that moves only because of its
+//! proportions would be rigid. Near a bifurcation, such as the straight pose of a parallelogram, a
+//! pivot vanishes, and the direction is then undetermined.
 
 mod factorization;
 mod null_space;
@@ -36,44 +36,44 @@ use crate::math::Scalar;
 use factorization::{FactorStep, RemainingRows, factorize};
 use null_space::{null_directions, orthonormal};
 
-/// Reactions and what they do not determine.
+/// Constraint forces, and the directions in which they are undetermined.
 #[derive(Clone, Debug)]
 pub struct ConstraintForces<S> {
-    /// `λ` of least norm.
+    /// `λ` of least norm, in N and N m.
     pub reactions: Vec<S>,
-    /// Unit directions, one for each row, along which `λ` makes no difference; zeros where there is
-    /// none.
+    /// Unit directions along which `λ` does not change the motion, one for each row; zero if the
+    /// row determines its direction.
     pub undetermined: Vec<Vec<S>>,
     /// `d_k / s_i` of each step, the largest first.
     pub pivots: Vec<S>,
-    /// The largest `|J_i|² / s_i` that the steps which the rank allows have left.
+    /// The largest `|J_i|² / s_i` left after the steps that the rank allows.
     pub excess: S,
 }
 
 impl<S: Scalar> ConstraintForces<S> {
-    /// Of a chain that is not closed.
+    /// No constraint forces, for a chain that is not closed.
     pub fn none() -> Self {
         let (reactions, undetermined, pivots) = (Vec::new(), Vec::new(), Vec::new());
         ConstraintForces { reactions, undetermined, pivots, excess: S::zero() }
     }
 }
 
-/// A linear system for the reactions of a closing hinge.
+/// A linear system for the constraint forces of a loop hinge.
 #[derive(Clone, Debug)]
 pub struct ConstraintSystem<S> {
-    /// What `Λ` is the sum of, outside of repeated parts.
+    /// The terms of `Λ` outside of repeated parts.
     pub terms: Vec<DelassusTerm<S>>,
-    /// The part of `Λ` that repeated parts add, below its diagonal and on it, by rows.
+    /// The part of `Λ` from repeated parts: its lower triangle with the diagonal, by rows.
     pub repeated: Vec<Vec<S>>,
-    /// `s`
+    /// The scales `s`.
     pub scales: Vec<S>,
-    /// `b`
+    /// The right-hand side `b`.
     pub rhs: Vec<S>,
-    /// Rank and rounding of the linkage.
+    /// Rank and rounding of the rows.
     pub rank: ConstraintRank<S>,
 }
 
-/// The part of `Λ` that a degree of freedom adds: `t tᵀ / D`.
+/// The contribution `t tᵀ / D` of a degree of freedom to `Λ`.
 #[derive(Clone, Debug)]
 pub struct DelassusTerm<S> {
     /// `t`
@@ -82,26 +82,26 @@ pub struct DelassusTerm<S> {
     pub inverse: S,
 }
 
-/// Properties of the linkage that the solution for the reactions needs.
+/// The rank of the constraints, and the rounding of their rows.
 #[derive(Clone, Debug)]
 pub struct ConstraintRank<S> {
-    /// The rank of its closure.
+    /// The number of independent constraints.
     pub rank: Rank<S>,
-    /// How many units in the last place of `s_i` rounding leaves of the square of a row to which
-    /// repeated parts have added.
+    /// The rounding error of the square of a row that repeated parts contribute to, in units in the
+    /// last place of `s_i`.
     pub rounding: f64,
 }
 
-/// How many directions of a closing hinge are independent anywhere on the closure.
+/// The largest number of independent constraints over all closed configurations.
 #[derive(Clone, Debug)]
 pub enum Rank<S> {
-    /// So many.
+    /// Known while compiling.
     Known(usize),
-    /// As many as there are ones, before zeros.
+    /// Given at run time: that many ones, then zeros.
     AtRunTime(Vec<S>),
 }
 
-/// Solves for the reactions.
+/// Solves for the constraint forces.
 pub fn solve<S: Scalar>(system: &ConstraintSystem<S>, trace: &mut Trace<S>) -> ConstraintForces<S> {
     let (pivots, left) = factorize(system);
     for (k, pivot) in pivots.iter().enumerate() {
@@ -110,7 +110,7 @@ pub fn solve<S: Scalar>(system: &ConstraintSystem<S>, trace: &mut Trace<S>) -> C
     let is_regular = system.is_regular(&left);
     let excess = excess(system, &pivots, &left);
     let undetermined = orthonormal(null_directions(&pivots, left));
-    // Without redundant directions L is square, and fewer operations do.
+    // Without dependent constraints `L` is square, and substitution needs fewer operations.
     let reactions = if is_regular {
         let found = substituted(&pivots, system.rhs.clone());
         undetermined.iter().fold(found, |x, unit| project_out(x, unit))
@@ -124,7 +124,7 @@ pub fn solve<S: Scalar>(system: &ConstraintSystem<S>, trace: &mut Trace<S>) -> C
     ConstraintForces { reactions, undetermined, pivots, excess }
 }
 
-/// `L⁻ᵀ D⁻¹ L⁻¹ b`, where `L` is square except for the rows of pivots that are rounding.
+/// Returns `L⁻ᵀ D⁻¹ L⁻¹ b`. `L` is square except for rows whose pivots are rounding errors.
 fn substituted<S: Scalar>(pivots: &[FactorStep<S>], mut right: Vec<S>) -> Vec<S> {
     let mut amounts = Vec::new();
     for FactorStep { selector, column, inverse, .. } in pivots {
@@ -139,11 +139,11 @@ fn substituted<S: Scalar>(pivots: &[FactorStep<S>], mut right: Vec<S>) -> Vec<S>
     })
 }
 
-/// Equations (2), by Gram and Schmidt, and (3).
+/// Returns the solution of least norm: equations (2), by Gram-Schmidt, and (3).
 fn least_norm<S: Scalar>(pivots: &[FactorStep<S>], right: &[S]) -> Vec<S> {
-    // Columns of Q, and of Σ⁻¹.
+    // Columns of `Q`, with the entries of `Σ⁻¹`.
     let mut across: Vec<(Vec<S>, S)> = Vec::new();
-    // Columns of R above its diagonal, which is one.
+    // Columns of `R` above its unit diagonal.
     let mut upper: Vec<Vec<S>> = Vec::new();
     for pivot in pivots {
         let (mut own, mut along) = (pivot.column.clone(), Vec::new());
@@ -173,7 +173,7 @@ fn least_norm<S: Scalar>(pivots: &[FactorStep<S>], right: &[S]) -> Vec<S> {
     })
 }
 
-/// What the first step beyond the rank finds or would find.
+/// Returns the relative pivot of the first step beyond the rank.
 fn excess<S: Scalar>(
     system: &ConstraintSystem<S>,
     pivots: &[FactorStep<S>],
@@ -192,13 +192,13 @@ fn excess<S: Scalar>(
     }
 }
 
-/// `x` without its part along a unit vector, or along nothing.
+/// Returns `x` without its component along a unit vector, or `x` itself if the vector is zero.
 fn project_out<S: Scalar>(x: Vec<S>, unit: &[S]) -> Vec<S> {
     let along = dot(&x, unit);
     plus_scaled(x, unit, -along)
 }
 
-/// `x + y · factor`
+/// Returns `x + y · factor`.
 fn plus_scaled<S: Scalar>(x: Vec<S>, y: &[S], factor: S) -> Vec<S> {
     x.iter().zip(y).map(|(&x, &y)| x + y * factor).collect()
 }

@@ -1,4 +1,5 @@
-//! A chain in a given state: what every set of equations starts from.
+//! The evaluation context: a chain with its layout, symbol values, state and inputs. All equations
+//! read their arguments from it.
 
 use super::constraint_forces::{ConstraintRank, Rank};
 use super::{LinkTree, LoopHook, SymbolValues};
@@ -9,10 +10,10 @@ use crate::model::{
     Layout, Link, MergedWeld, MovesWith, Source,
 };
 
-/// Roundings of a closing hinge's direction on its way over a link, in units in the last place.
+/// Rounding that each link adds to a constraint of the loop hinge, in units in the last place.
 const ROUNDINGS: f64 = 8.0;
 
-/// Origin and rotation of a frame in another one.
+/// Origin and rotation of a frame in another frame.
 type Transform<S> = (Vec3<S>, Mat3<S>);
 
 /// A chain in a given state.
@@ -20,9 +21,9 @@ type Transform<S> = (Vec3<S>, Mat3<S>);
 pub struct EvalContext<'a, S> {
     /// The chain.
     pub chain: &'a Chain,
-    /// Its layout.
+    /// The layout of the chain's coordinates, rates, inputs and links.
     pub layout: &'a Layout,
-    /// What stands for its symbols.
+    /// The values of the chain's symbols.
     pub numbers: &'a SymbolValues<S>,
     /// Coordinates.
     pub q: &'a [S],
@@ -30,21 +31,21 @@ pub struct EvalContext<'a, S> {
     pub v: &'a [S],
     /// Inputs.
     pub inputs: &'a [S],
-    /// The length of the linearly implicit Euler step to be taken, if that is what is computed.
+    /// The length of the step in s, if the accelerations are those of a linearly implicit Euler
+    /// step.
     pub implicit: Option<S>,
-    /// Whether bodies have inertia in all directions only by what holds them where the chain
-    /// closes.
+    /// Whether some bodies have inertia in all directions only because of the loop constraints.
     pub held_by_closure: bool,
-    /// How many independent directions the closing hinge holds.
+    /// The number of independent loop constraints.
     pub closure_rank: ClosureRank,
-    /// The links, for sweeps.
+    /// The tree of links that the sweeps run over.
     pub tree: LinkTree<'a, S>,
-    /// Every body's frame in that of its part.
+    /// The frame of every body in the frame of its part.
     frames: IdVec<BodyId, Transform<S>>,
 }
 
 impl<'a, S: Scalar> EvalContext<'a, S> {
-    /// `chain` at coordinates `q` and rates `v`, driven by `inputs`.
+    /// Returns the context of `chain` at coordinates `q` and rates `v`, with `inputs`.
     pub fn new(
         chain: &'a Chain,
         layout: &'a Layout,
@@ -68,22 +69,23 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         context
     }
 
-    /// The same with what is known of the chain's closure.
+    /// Returns this context with the properties of the chain's loop constraints.
     pub fn with_closure(self, held_by_closure: bool, closure_rank: ClosureRank) -> Self {
         EvalContext { held_by_closure, closure_rank, ..self }
     }
 
-    /// The same in a linearly implicit Euler step of length `step`.
+    /// Returns this context for a linearly implicit Euler step of length `step`, in s.
     pub fn with_implicit_step(self, step: S) -> Self {
         EvalContext { implicit: Some(step), ..self }
     }
 
-    /// The same with `hook` at the seams of repeated parts.
+    /// Returns this context with `hook` at the boundaries of repeated parts.
     pub fn with_loops(self, hook: &'a dyn LoopHook<S>) -> Self {
         EvalContext { tree: self.tree.with_loops(hook), ..self }
     }
 
-    /// The frames of merged bodies, each behind those that it is welded to.
+    /// Returns the frames of all bodies. The frame of a merged body follows from the body that it
+    /// is welded to.
     fn body_frames(&self) -> IdVec<BodyId, Transform<S>> {
         let mut frames = IdVec::filled(None, self.chain.bodies.len());
         for body in frames.ids() {
@@ -102,7 +104,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         frames.into_iter().map(known).collect()
     }
 
-    /// The frame of a body, or the body whose frame has to be known before.
+    /// Returns the frame of a body, or the body whose frame must be computed first.
     fn frame_across_weld(
         &self,
         body: BodyId,
@@ -128,8 +130,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         Ok((origin - rotation * to.0, rotation))
     }
 
-    /// The part that a place belongs to, and origin and rotation there: in the frame of the part,
-    /// or in the inertial frame.
+    /// Returns the part that an attachment belongs to, with the origin and rotation of the
+    /// attachment: in the frame of the part, or in the inertial frame if the part is the ground.
     pub fn place(&self, place: &Attachment) -> (MovesWith, Vec3<S>, Mat3<S>) {
         let own = self.numbers.place(self.chain, place);
         match place.body() {
@@ -141,17 +143,17 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         }
     }
 
-    /// A body's frame in that of its part.
+    /// Returns the frame of a body in the frame of its part.
     pub fn frame(&self, body: BodyId) -> (Vec3<S>, Mat3<S>) {
         self.frames[body]
     }
 
-    /// A frame on a body in that of its part.
+    /// Returns a frame that is fixed on a body, in the frame of the body's part.
     pub fn frame_on(&self, body: BodyId, frame: &Frame) -> (Vec3<S>, Mat3<S>) {
         compose(self.frames[body], self.numbers.frame(frame))
     }
 
-    /// The coordinates of a hinge.
+    /// Returns the coordinates of a hinge.
     pub fn coordinates(&self, hinge: HingeId) -> &'a [S] {
         let count = self.chain.hinges[hinge].kind.coordinates();
         match self.prescribed(hinge) {
@@ -160,7 +162,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         }
     }
 
-    /// The rates of a hinge.
+    /// Returns the rates of a hinge.
     pub fn rates(&self, hinge: HingeId) -> &'a [S] {
         let kind = &self.chain.hinges[hinge].kind;
         let (first, count) = (kind.coordinates(), kind.dof_count());
@@ -170,7 +172,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         }
     }
 
-    /// The accelerations of a hinge whose motion is prescribed.
+    /// Returns the accelerations of a hinge whose motion is prescribed.
     pub fn prescribed_accelerations(&self, hinge: HingeId) -> Option<&'a [S]> {
         let kind = &self.chain.hinges[hinge].kind;
         self.prescribed(hinge).map(|given| &given[kind.coordinates() + kind.dof_count()..])
@@ -181,7 +183,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         prescribed.then(|| &self.inputs[self.layout.input(InputKind::Motion(hinge))])
     }
 
-    /// The efforts of a hinge's motor, one for each rate.
+    /// Returns the actuator efforts of a hinge, one for each rate.
     pub fn actuator_efforts(&self, hinge: HingeId) -> Vec<S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
             return vec![S::zero(); self.chain.hinges[hinge].kind.dof_count()];
@@ -198,7 +200,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         efforts.iter().map(one).collect()
     }
 
-    /// A vector that may be given by the caller, who gives the components along `axes` only.
+    /// Returns a vector that may be an input. An input has components along `axes` only; the other
+    /// components are zero.
     pub fn vector(&self, source: &Source, what: InputKind, axes: &[usize]) -> Vec3<S> {
         match source {
             Source::Nothing => Vec3::zero(),
@@ -213,12 +216,12 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         }
     }
 
-    /// What the solution for the reactions of a closing hinge that holds so many directions has to
-    /// know.
+    /// Returns the rank of the loop constraints and the rounding of their rows; `held` is the
+    /// number of constraints.
     pub fn constraint_rank(&self, held: usize) -> ConstraintRank<S> {
         let rank = match self.closure_rank {
-            // In an implicit step springs and dampers hold directions with a separate inertia, each
-            // of which is independent of all others.
+            // In an implicit step, springs and dampers add constraints with their own inertia. Each
+            // of them is independent of all others.
             ClosureRank::Known { rank, directions } => Rank::Known(rank + added(held, directions)),
             ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
                 let given = &self.numbers.closure_steps;
@@ -231,7 +234,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         ConstraintRank { rank, rounding: ROUNDINGS * (links + 2) as f64 }
     }
 
-    /// Gravity as an acceleration of the ground: cheaper than a force on every body.
+    /// Returns the acceleration of the base that replaces gravity. This costs less than a force on
+    /// every body.
     pub fn base_acceleration(&self) -> Motion<S> {
         let Chain { gravity, dimension, .. } = self.chain;
         let gravity = self.vector(gravity, InputKind::Gravity, dimension.shifts());
@@ -239,13 +243,13 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     }
 }
 
-/// How many directions an implicit step adds to those that a closing hinge holds.
+/// Returns the number of constraints that an implicit step adds to those of the loop hinge.
 fn added(held: usize, directions: usize) -> usize {
     held.checked_sub(directions)
         .unwrap_or_else(|| bug!("a closing hinge holds {held} of {directions} directions"))
 }
 
-/// A frame inside another one.
+/// Returns a frame that is given in `outer`, in the frame that `outer` is given in.
 fn compose<S: Scalar>(outer: (Vec3<S>, Mat3<S>), inner: (Vec3<S>, Mat3<S>)) -> (Vec3<S>, Mat3<S>) {
     (outer.0 + outer.1 * inner.0, outer.1 * inner.1)
 }

@@ -1,4 +1,8 @@
-//! Accelerations of all hinges, by either method.
+//! Forward dynamics: the accelerations of all hinges, by either method.
+//!
+//! `F` and `a` are those of [`super`]; `F = I a + p` for every link, with the bias force `p` of
+//! velocities and external loads. Quantities of a link belong to its point, in its work axes;
+//! quantities of the loop hinge to its outboard side, in the work axes of a link on it.
 
 use super::base_parameters::to_base_parameters;
 use super::constraint_forces::ConstraintForces;
@@ -14,46 +18,46 @@ use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Wrench};
 use crate::model::{HingeId, SolutionMethod};
 
-/// What the closing hinge exerts.
+/// The wrench in the loop hinge.
 #[derive(Clone, Debug)]
 pub struct LoopReaction<S> {
-    /// On its outboard side at the hinge, in axes of its inboard frame.
+    /// The wrench on the outboard side at the hinge, in axes of its inboard frame, in N and N m.
     pub wrench: Wrench<S>,
-    /// Unit wrenches, in the same axes, that could be added without any difference to the motion,
-    /// one for each direction that the hinge holds; zeros where there is none.
+    /// Unit wrenches, in the same axes, that could be added without changing the motion: one for
+    /// each constraint, zero where the wrench is determined.
     pub undetermined: Vec<Wrench<S>>,
-    /// How well each direction is determined that the solution took, the largest first: one where
-    /// nothing cancels, rounding where the direction is held already.
+    /// The relative pivot of each step of the solution, the largest first: one if nothing cancels,
+    /// the size of rounding errors if the constraint depends on others.
     pub pivots: Vec<S>,
 }
 
-/// The result of a method.
+/// The result of forward dynamics.
 #[derive(Clone, Debug)]
 pub struct ForwardDynamics<S> {
-    /// `v̇` in the layout's order.
+    /// `v̇` of all free rates, in the layout's order.
     pub accelerations: Vec<S>,
-    /// The numbers divided by on the way.
+    /// The pivots that the method divides by.
     pub pivots: Vec<HingePivot<S>>,
-    /// What the closing hinge exerts, if there is one.
+    /// The wrench in the loop hinge, if the chain is closed.
     pub reaction: Option<LoopReaction<S>>,
 }
 
-/// What the sweeps know at the point behind a hinge, in work axes there.
+/// Acceleration and wrench at the point outboard of a hinge, in work axes.
 #[derive(Clone, Copy, Debug)]
 pub struct OutboardState<S> {
-    /// The acceleration of the point, that of free fall the other way among it: what a sensor there
-    /// feels.
+    /// The proper acceleration of the point, as an accelerometer measures it: the acceleration
+    /// minus gravity.
     pub proper_acceleration: Motion<S>,
-    /// What the hinge exerts on the part behind it, about the point.
+    /// The wrench that the hinge exerts on the outboard part, about the point.
     pub wrench: Wrench<S>,
 }
 
-/// What the sweeps know of all hinges besides their accelerations.
+/// Accelerations and wrenches at all hinges.
 #[derive(Clone, Debug)]
 pub struct SweepResult<S> {
-    /// The axes that they are in.
+    /// The kind of the work axes.
     pub axes: Axes,
-    /// By hinges; nothing of one that closes the chain, and of a weld between merged bodies.
+    /// By hinges; `None` for the loop hinge and for welds between merged bodies.
     pub outboard: IdVec<HingeId, Option<OutboardState<S>>>,
 }
 
@@ -70,14 +74,14 @@ pub fn forward_dynamics<S: Scalar>(
     solved
 }
 
-/// Solves for the accelerations of all hinges and for what passes through them.
+/// Solves for the accelerations of all hinges and for the wrenches in them.
 pub fn forward_dynamics_with_wrenches<S: Scalar>(
     context: &EvalContext<S>,
     method: SolutionMethod,
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (ForwardDynamics<S>, SweepResult<S>) {
-    // What is given to parents would be missing in the wrenches.
+    // With base parameters the wrenches would lack the inertia that was transferred to parents.
     solve(context, (method, axes, false), trace, |problem, solution, trace| {
         let wrenches = hinge_wrenches(problem, solution, trace);
         let mut outboard = IdVec::filled(None, context.chain.hinges.len());
@@ -89,8 +93,8 @@ pub fn forward_dynamics_with_wrenches<S: Scalar>(
     })
 }
 
-/// Solves for the accelerations of all hinges, and for what `more` makes of how the links move;
-/// inertias may be redistributed before.
+/// Solves for the accelerations of all hinges, and calls `finish` with the solution. Base
+/// parameters are used if `use_base_parameters` is true.
 fn solve<S: Scalar, R>(
     context: &EvalContext<S>,
     (method, axes, use_base_parameters): (SolutionMethod, Axes, bool),
@@ -110,8 +114,8 @@ fn solve<S: Scalar, R>(
         SolutionMethod::Transfer => {
             let (pivots, constraint_forces, affine_wrenches) =
                 riccati::pivots_and_constraint_forces(&problem, trace);
-            // By the sum over all bodies beyond a hinge, rounding would grow with the square of
-            // their number.
+            // A wrench as a sum over all outboard bodies would have a rounding error that grows
+            // with the square of their number.
             (
                 MotionSolution {
                     affine_wrenches,
@@ -142,7 +146,7 @@ fn solve<S: Scalar, R>(
     (ForwardDynamics { accelerations, pivots, reaction }, result)
 }
 
-/// Newton's and Euler's laws as a problem: forces, efforts and velocities.
+/// Returns the Newton-Euler equations as a linear problem.
 fn motion_problem<'a, S: Scalar>(
     context: &EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
@@ -154,8 +158,8 @@ fn motion_problem<'a, S: Scalar>(
         let name = &link.name;
         let source = "[P, Eqs. (14), (15), (20)]";
         trace.section(format!("{name}_loads"), format!("Loads on `{name}`"), source);
-        trace.wrench(&format!("{name}_velocity_load"), link.velocity_wrench());
-        trace.wrench(&format!("{name}_load"), external);
+        trace.wrench(&format!("{name}_velocity_wrench"), link.velocity_wrench());
+        trace.wrench(&format!("{name}_external_wrench"), external);
         link.velocity_wrench() - external
     };
     let bias_forces = links.iter().zip(external).map(bias_force).collect();
@@ -189,7 +193,7 @@ fn motion_problem<'a, S: Scalar>(
     if context.held_by_closure { problem.with_added_inertia() } else { problem }
 }
 
-/// The acceleration that the outboard side of the closing hinge has of itself.
+/// Returns the known acceleration of the outboard side of the loop hinge.
 fn child_acceleration<S: Scalar>(
     loop_hinge: &LoopHinge<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -197,14 +201,14 @@ fn child_acceleration<S: Scalar>(
 ) -> Motion<S> {
     let own = match loop_hinge.child {
         None => problem.base_acceleration,
-        // A moving end hangs on the ground, its motion prescribed.
+        // A moving end is attached to the ground, and its motion is prescribed.
         Some(link) => problem.acceleration_from_parent(link, problem.base_acceleration),
     };
     loop_hinge.motion_from_child(own) + loop_hinge.child_bias_acceleration(links)
 }
 
-/// The acceleration at the closing hinge that comes over from its inboard side, with what joins on
-/// the way.
+/// Returns the acceleration that the inboard side gives to the loop hinge, with the bias
+/// acceleration.
 fn acceleration_from_inboard<S: Scalar>(
     loop_hinge: &LoopHinge<S>,
     ground: Motion<S>,

@@ -1,10 +1,10 @@
-//! What every hinge transmits, once it is known how the links move [P, Eqs. (18), (19)].
+//! The wrenches in all hinges, from the accelerations of the links [P, Eqs. (18), (19)].
 //!
-//! With `a` of the link's point, the body's own inertia `M` and load `p`, and wrenches `F_c` of the
-//! children's hinges at their points, all in work axes:
+//! With `a` of the link's point, the inertia `I` and the bias force `p` of the link's part, and the
+//! wrenches `F_c` in the children's hinges, all in work axes:
 //!
-//! (1)  `F = M a + p + Σ X_cᵀ F_c`
-//! (2)  `F = Iᴬ a' + pᴬ`, by the relation of the Riccati transfer
+//! (1)  `F = I a + p + Σ X_cᵀ F_c`
+//! (2)  `F = Iᴬ a' + pᴬ`, with the articulated inertia of the Riccati transfer
 
 use super::Trace;
 use super::motion_problem::{MotionProblem, MotionSolution};
@@ -13,8 +13,10 @@ use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Scalar, Wrench};
 
-/// On the child's side of every link's hinge, about the link's point, in its work axes; where the
-/// hinge frees whole axes that is its effort and nothing else [P, Eqs. (25), (57), (58)].
+/// Returns the wrench that every link's hinge exerts on the link, about the link's point, in its
+/// work axes. Along an axis that the hinge leaves free, the wrench is exactly the hinge's effort
+/// [P, Eqs. (25), (57),
+/// (58)].
 pub fn hinge_wrenches<S: Scalar>(
     problem: &MotionProblem<S>,
     solution: &MotionSolution<S>,
@@ -34,18 +36,17 @@ pub fn hinge_wrenches<S: Scalar>(
         let wrench = hinge.basis.with_applied_efforts(wrench, &hinge.efforts);
         trace.section(
             format!("{}_wrench", hinge.name),
-            format!("Load on `{}`", hinge.name),
+            format!("Wrench in `{}`", hinge.name),
             "[P, Eqs. (18), (19)]",
         );
-        trace.wrench(&format!("{}_load", hinge.name), wrench);
+        trace.wrench(&format!("{}_wrench", hinge.name), wrench);
         wrench
     };
     wrenches.enumerate().map(with_efforts).collect()
 }
 
-/// From what every body's own motion takes and its children pass on; where that would be a long
-/// sum, or one over the repetitions of a part, from what comes over from the parent, with the
-/// relation of the way to the ground.
+/// Returns the wrenches by equation (1), from the free ends inward. Equation (2) is used if the sum
+/// (1) would have many terms, and at the boundaries of repeated parts.
 fn sum_inward<S: Scalar>(
     problem: &MotionProblem<S>,
     solution: &MotionSolution<S>,
@@ -78,7 +79,7 @@ fn sum_inward<S: Scalar>(
     problem.tree.inward(sums, WrenchSum(None), step).0
 }
 
-/// Which hinges are not to be summed up for.
+/// Returns the hinges whose wrench follows from equation (2).
 fn uses_affine_wrench<S: Scalar>(
     problem: &MotionProblem<S>,
     solution: &MotionSolution<S>,
@@ -90,7 +91,7 @@ fn uses_affine_wrench<S: Scalar>(
     let step = |link: LinkId, BodyCount(count): BodyCount, parent: &mut BodyCount| {
         let at_boundary = problem.tree.is_boundary(link);
         let is_chosen = at_boundary || count > MAX_SUMMED_BODIES;
-        // What is beyond a boundary is another repetition's, and cannot be added up at all.
+        // The bodies outboard of a boundary belong to another repetition, and cannot be summed.
         let beyond = match is_chosen {
             _ if at_boundary => MAX_SUMMED_BODIES,
             true => 0,
@@ -102,13 +103,12 @@ fn uses_affine_wrench<S: Scalar>(
     problem.tree.inward(own, BodyCount(0), step).0
 }
 
-/// A wrench as the sum of what a body takes of itself and what its children pass on; nothing where
-/// it is known in another way.
+/// A wrench as a sum over a part and its children; `None` if the wrench is computed in another way.
 #[derive(Clone, Copy, Debug)]
 pub struct WrenchSum<S>(pub Option<Wrench<S>>);
 
 impl<S: Scalar> WrenchSum<S> {
-    /// Adds a wrench, if this is a sum.
+    /// Adds a wrench, if there is a sum.
     pub fn add(&mut self, more: impl FnOnce() -> Wrench<S>) {
         if let Some(sum) = &mut self.0 {
             *sum = *sum + more();
@@ -122,7 +122,7 @@ impl<S: Scalar> Flatten<S> for WrenchSum<S> {
     }
 }
 
-/// The longest sum of bodies that hang on a link.
+/// The largest number of bodies that are summed outboard of a link.
 #[derive(Clone, Copy)]
 struct BodyCount(usize);
 
@@ -132,7 +132,7 @@ impl<S> Flatten<S> for BodyCount {
     }
 }
 
-/// With the reactions of a closing hinge.
+/// Returns the wrench with the constraint forces of a loop hinge added.
 fn with_reactions<S: Scalar>(
     wrench: Wrench<S>,
     constraint_wrenches: &[Wrench<S>],

@@ -1,19 +1,19 @@
-//! Inverse dynamics: which efforts the drives must supply for given accelerations.
+//! Inverse dynamics: the efforts that the actuators must supply for given accelerations.
 //!
 //! ```text
-//! M(q) v̇ + bias(q, v) = τ          τ: efforts of the drives, one for each rate
+//! M(q) v̇ + bias(q, v) = τ          τ: efforts of the actuators, one for each rate
 //! ```
 //!
-//! With `v̇` given, the accelerations of all points follow outwards and the wrenches in all hinges
-//! inwards; nothing is solved. The bias is `τ` at `v̇ = 0`.
+//! With `v̇` given, the accelerations of all points follow outward and the wrenches in all hinges
+//! inward; no equation is solved. The bias is `τ` at `v̇ = 0`.
 //!
 //! # Notation
 //!
 //! | symbol | meaning | axes |
 //! |---|---|---|
 //! | `a = X a_p + b` | acceleration of a link's point, from its parent's (1) | work axes of the link |
-//! | `F = A a + p + Σ Xᵀ F_c` | what the hinge exerts on its part, from those of its children (2) | work axes of the link |
-//! | `τ = Sᵀ F − τ_passive` | what the drive must supply, `τ_passive` of springs, dampers, friction and stops, less what rates alone demand of rotors (3) | rates |
+//! | `F = I a + p + Σ Xᵀ F_c` | wrench that the hinge exerts on its link, from those in the children's hinges (2) | work axes of the link |
+//! | `τ = Sᵀ F − τ_passive` | effort of the actuator; `τ_passive` are the efforts of springs, dampers, friction and stops, minus the rotor efforts that the rates require (3) | rates |
 
 use super::base_parameters::to_base_parameters;
 use super::kinematics::LinkKinematics;
@@ -25,9 +25,9 @@ use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Motion, Scalar, Wrench};
 use crate::model::SolutionMethod;
 
-/// The efforts that the drives of all free rates must supply so that no rate changes, in the
-/// layout's order: against gravity, velocities, springs, dampers, friction, stops, loads, moving
-/// ends and prescribed motions. A closed chain is the tree of its hinges, with the closing hinge
+/// Returns the bias efforts: the efforts at all free rates that keep the rates constant, in the
+/// layout's order. They balance gravity, velocities, springs, dampers, friction, stops, loads,
+/// moving ends and prescribed motions. A closed chain is treated as its tree, with the loop hinge
 /// open.
 pub fn bias_efforts<S: Scalar>(
     context: &EvalContext<S>,
@@ -55,7 +55,7 @@ pub fn bias_efforts<S: Scalar>(
     efforts
 }
 
-/// `τ` of all free rates at `v̇ = 0`, by links: equations (1) to (3).
+/// Returns `τ` of all free rates at `v̇ = 0`, by links: equations (1) to (3).
 fn efforts<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -66,11 +66,11 @@ fn efforts<S: Scalar>(
         let hinge = &links[link].hinge;
         let a: Motion<S> = hinge.acceleration_from_parent(parent, hinge.bias_acceleration);
         trace.section(
-            format!("{}_bias", hinge.name),
-            format!("Acceleration of `{}` without changes of rates", hinge.name),
+            format!("{}_acceleration", hinge.name),
+            format!("Acceleration of `{}` at constant rates", hinge.name),
             "[P, Eqs. (13), (36), (44)]",
         );
-        trace.motion(&format!("{}_bias", hinge.name), a);
+        trace.motion(&format!("{}_acc", hinge.name), a);
         (a, a)
     });
     let own = links.enumerate().map(|(index, link)| {

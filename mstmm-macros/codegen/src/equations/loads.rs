@@ -1,4 +1,7 @@
-//! What acts on bodies from outside: `f_C`, `m_C` of [P, Eqs. (14), (15)].
+//! External loads on bodies: `f_C`, `m_C` of [P, Eqs. (14), (15)].
+//!
+//! A wrench belongs to the point of a link, in the link's work axes, unless another frame is named.
+//! `r` is the vector from the end of a spring to the other end.
 
 use super::EvalContext;
 use super::kinematics::{LinkKinematics, Pose, link_of, poses};
@@ -7,7 +10,7 @@ use crate::ids::LinkId;
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyId, InputKind, Load, LoadAxes, LoadId, Source, Spring};
 
-/// The loads on every link's part about its point, work axes.
+/// Returns the external wrench on every link, about its point, in its work axes.
 pub fn loads<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -19,7 +22,7 @@ pub fn loads<S: Scalar>(
     }
     let poses = poses(context, links);
     let mut add = |body: BodyId, wrench: &dyn Fn(LinkId) -> Wrench<S>| {
-        // What acts on the ground moves nothing.
+        // Loads on the ground have no effect.
         if let Some(link) = link_of(context.layout.parts[body]) {
             all[link] = all[link] + wrench(link);
         }
@@ -53,7 +56,7 @@ fn load_on<S: Scalar>(
     wrench.shifted_from(link.part_to_work * (origin - link.point))
 }
 
-/// The pull of a spring with length `l`, `−(k (l − l₀) + c l̇) n`.
+/// Returns the wrench of a spring of length `l`, `−(k (l − l₀) + c l̇) n`.
 fn spring_on<S: Scalar>(
     context: &EvalContext<S>,
     spring: &Spring,
@@ -68,25 +71,25 @@ fn spring_on<S: Scalar>(
     let [stiffness, damping, length] =
         [&spring.stiffness, &spring.damping, &spring.length].map(|value| numbers.scalar(value));
     let inverse = inverse_length(way);
-    // c l̇ / l and k (l − l₀) / l, both finite where the spring has no length.
+    // c l̇ / l and k (l − l₀) / l, both finite for a spring of length zero.
     let damped = damping * way.dot(velocity) * (inverse * inverse);
     let force = -(way * (stiffness - stiffness * length * inverse + damped));
     Wrench { force, moment: Vec3::zero() }.shifted_from(arm)
 }
 
-/// Where a spring pulls, frame of the body's part.
+/// Returns the point where a spring is attached to a body, in the frame of the body's part.
 fn spring_point<S: Scalar>(context: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
     let (origin, rotation) = context.frame(spring.body);
     origin + rotation * context.numbers.vector(&spring.at)
 }
 
-/// `1 / |way|`, kept finite by a length far below any that matters.
+/// Returns `1 / |r|`, kept finite by a length far below any that matters.
 fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
     (way.dot(way) + S::number(1e-30)).sqrt().recip()
 }
 
-/// The energy of the springs from a link's part to the ground; without a link, of those from what
-/// does not move.
+/// Returns the energy of the springs between a link's part and the ground, in J; without a link,
+/// that of springs on bodies that do not move.
 pub fn spring_energy<S: Scalar>(
     context: &EvalContext<S>,
     on: Option<(LinkId, &LinkKinematics<S>, &Pose<S>)>,

@@ -1,18 +1,18 @@
-//! The hinge that closes a chain held at both ends: which directions it holds, what it demands of
-//! the points that it joins, and what it exerts.
+//! The loop hinge, which closes a chain that is held at both ends: its constraints and its forces.
 //!
-//! With `a_p` of the link on its inboard side and `a_c` of its outboard side, both known but for
-//! `a_p`, and directions `T` that it holds, `Tᵀ S = 0`:
+//! With `a_p` of the link on its inboard side, `a_c` of its outboard side (which is known), the
+//! motion subspace `S`, the constraint-force subspace `T` with `Tᵀ S = 0` and the active-force
+//! subspace `W` with `Wᵀ S = 1` (Featherstone's `T_a`):
 //!
 //! (1)  `Tᵀ (a_c − X a_p − b) = 0`, `F = T λ + W τ`
-//! (2)  `q̈ = Wᵀ (a_c − X a_p − b)`, `Wᵀ S = 1`
+//! (2)  `q̈ = Wᵀ (a_c − X a_p − b)`
 //!
-//! All are at the hinge, on its outboard side, in the work axes of a link that would hang on it; `X`
-//! carries the motion of the inboard link there, `b` is its bias acceleration. `W` are the wrenches
-//! that do work on one rate each.
+//! All quantities belong to the hinge, on its outboard side, in the work axes of a link on that
+//! side. `X` carries the acceleration of the inboard link there, and `b` is the bias acceleration
+//! of the hinge.
 //!
-//! A rotor with inertia `I` along a free direction holds that one with an inertia: the direction is
-//! `−I W`, and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
+//! A rotor with inertia `I` along a rate adds a constraint with an inertia: its wrench is `−I W`,
+//! and its `λ` is the acceleration `q̈ = Wᵀ (a_c − X a_p − b)`, so that `F = W (τ − I q̈)`.
 
 use super::kinematics::{
     HingeKinematics, LinkKinematics, PartKinematics, hinge_kinematics, link_of,
@@ -24,35 +24,35 @@ use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Hinge, HingeId};
 
-/// The hinge that closes a chain.
+/// The loop hinge.
 #[derive(Clone, Debug)]
 pub struct LoopHinge<S> {
-    /// The hinge, crossed from its inboard side.
+    /// The kinematics of the hinge, seen from its inboard side.
     pub hinge: HingeKinematics<S>,
-    /// The link on its inboard side; none if that is the ground.
+    /// The link on its inboard side; `None` for the ground.
     pub parent: Option<LinkId>,
-    /// The link on its outboard side; none if that is the ground.
+    /// The link on its outboard side; `None` for the ground.
     pub child: Option<LinkId>,
     /// From the point of the outboard link to the hinge, work axes of that link.
     child_arm: Vec3<S>,
-    /// Work axes of the outboard link to those of the hinge.
+    /// Rotation from the work axes of the outboard link to those of the hinge.
     child_to_work: Mat3<S>,
-    /// The directions that it holds.
+    /// The constraints `T`.
     pub constraints: Vec<Constraint<S>>,
-    /// `W`: wrenches that do work on one rate each.
+    /// The active-force subspace `W`: each wrench does work on one rate only.
     pub active_forces: Vec<Wrench<S>>,
 }
 
-/// A direction that a closing hinge holds.
+/// One constraint of the loop hinge.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint<S> {
-    /// The wrench along it, on the outboard side at the hinge, work axes.
+    /// The wrench of a unit constraint force, on the outboard side at the hinge, work axes.
     pub wrench: Wrench<S>,
-    /// The inertia of the rotor, if that alone holds it; zero otherwise.
+    /// The rotor inertia, if only a rotor acts along this wrench; zero for a kinematic constraint.
     pub inertia: S,
 }
 
-/// The closing hinge, if there is one.
+/// Returns the loop hinge, if the chain is closed.
 pub fn loop_hinge<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
@@ -106,7 +106,7 @@ fn constraints<S: Scalar>(
     all
 }
 
-/// The wrench that does work on one strain rate only.
+/// Returns the wrench that does work on one strain rate only.
 fn strain_force<S: Scalar>(
     hinge: &HingeKinematics<S>,
     active_forces: &[Wrench<S>],
@@ -116,12 +116,12 @@ fn strain_force<S: Scalar>(
     rates.fold(Wrench::zero(), |sum, (&force, &x)| sum + force.scaled(x))
 }
 
-/// Unit wrenches across each other that do no work on any of the motions, among the axes that
-/// matter: the null space of `Sᵀ`.
+/// Returns orthonormal wrenches that do no work on any of the motions, among the given axes: the
+/// null space of `Sᵀ`.
 ///
-/// Axes along which nothing moves are in it as they are. Among the others each motion takes one
-/// direction away, by a reflection; the motions with the fewest entries come first, since one along
-/// an axis takes that axis and nothing else.
+/// Axes without motion are basis vectors unchanged. Among the other axes, each motion removes one
+/// direction by a reflection. The motions with the fewest entries come first, since a motion along
+/// an axis removes that axis only.
 fn null_space<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>> {
     let present = |motion: &Motion<S>, k: usize| !motion.at(k).vanishes();
     let moves = |k: usize| motions.iter().any(|motion| present(motion, k));
@@ -139,7 +139,7 @@ fn null_space<S: Scalar>(motions: &[Motion<S>], axes: &[usize]) -> Vec<Wrench<S>
     still.into_iter().map(Wrench::unit).chain(left).collect()
 }
 
-/// Wrenches each of which does work on one of the motions and none on the others.
+/// Returns the dual basis: each wrench does work on one of the motions and none on the others.
 fn active_forces<S: Scalar>(motions: &[Motion<S>]) -> Vec<Wrench<S>> {
     let as_wrench = |m: Motion<S>| Wrench { force: m.linear, moment: m.angular };
     let products: Vec<Vec<S>> =
@@ -151,7 +151,7 @@ fn active_forces<S: Scalar>(motions: &[Motion<S>]) -> Vec<Wrench<S>> {
     inverse.iter().map(force).collect()
 }
 
-/// The inverse of a symmetric positive matrix, by Gauß and Jordan.
+/// Returns the inverse of a symmetric positive definite matrix, by Gauss-Jordan elimination.
 fn symmetric_inverse<S: Scalar>(products: &[Vec<S>]) -> Vec<Vec<S>> {
     let count = products.len();
     let mut left = products.to_vec();
@@ -182,31 +182,33 @@ impl<S: Scalar> VectorSpace<S> for Wrench<S> {
 }
 
 impl<S: Scalar> LoopHinge<S> {
-    /// The motion of its outboard side at the hinge, work axes.
+    /// Returns the motion of the outboard side at the hinge, work axes, from that of the outboard
+    /// link.
     pub fn motion_from_child(&self, motion: Motion<S>) -> Motion<S> {
         motion.shifted_to(self.child_arm).rotated(self.child_to_work)
     }
 
-    /// The wrench on its outboard side, as one about the point of the outboard link in that link's
-    /// work axes, and that link.
+    /// Returns the outboard link, and the wrench on the outboard side as one about the link's
+    /// point, in the link's work axes.
     pub fn wrench_on_child(&self, wrench: Wrench<S>) -> Option<(LinkId, Wrench<S>)> {
         let back = Rotation::from_matrix(self.child_to_work);
         Some((self.child?, wrench.rotated_back(&back).shifted_from(self.child_arm)))
     }
 
-    /// What the turning of the outboard side adds to the acceleration of the hinge, work axes.
+    /// Returns the bias acceleration of the hinge that the rotation of the outboard link causes,
+    /// work axes.
     pub fn child_bias_acceleration(&self, links: &PerLink<LinkKinematics<S>>) -> Motion<S> {
         let omega = self.child.map_or(Vec3::zero(), |child| links[child].omega);
         let linear = self.child_to_work * self.child_arm.centripetal(omega);
         Motion { linear, angular: Vec3::zero() }
     }
 
-    /// Rates of the hinge, or their changes, that belong to a motion against the inboard side.
+    /// Returns the hinge's rates, or their changes, for a motion relative to the inboard side.
     pub fn rates(&self, relative: Motion<S>) -> Vec<S> {
         self.active_forces.iter().map(|&force| relative.power(force)).collect()
     }
 
-    /// The wrench on its outboard side that efforts along its rates exert.
+    /// Returns the wrench on the outboard side that efforts along the rates exert.
     pub fn applied_wrench(&self, efforts: &[S]) -> Wrench<S> {
         if self.is_prescribed() {
             return Wrench::zero();
@@ -219,7 +221,7 @@ impl<S: Scalar> LoopHinge<S> {
         self.hinge.basis.columns.is_empty()
     }
 
-    /// The wrench on its outboard side.
+    /// Returns the wrench on the outboard side, from the applied wrench and the constraint forces.
     pub fn wrench(&self, applied: Wrench<S>, reactions: &[S]) -> Wrench<S> {
         let all = self.constraints.iter().zip(reactions);
         all.fold(applied, |sum, (constraint, &reaction)| sum + constraint.wrench.scaled(reaction))
@@ -231,7 +233,7 @@ mod tests {
     use super::null_space;
     use crate::math::{Motion, Scalar, Structured, Vec3};
 
-    /// Motions by their entries; zeros are known.
+    /// Motions by their entries; zeros are known while compiling.
     fn motions(entries: &[[f64; 6]]) -> Vec<Motion<Structured<f64>>> {
         let number = |x: f64| if x == 0.0 { Structured::zero() } else { Structured::variable(x) };
         let vector = |part: &[f64]| Vec3::from_fn(|k| number(part[k]));
@@ -252,7 +254,7 @@ mod tests {
             assert_eq!(wrenches.len(), 6 - motions.len());
             for (i, wrench) in wrenches.iter().enumerate() {
                 for motion in &motions {
-                    // Entries up to one, a dozen roundings.
+                    // Entries are at most one; a dozen roundings.
                     assert!(motion.power(*wrench).value().abs() < 12.0 * f64::EPSILON);
                 }
                 for (j, other) in wrenches.iter().enumerate() {

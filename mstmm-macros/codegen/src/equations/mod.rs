@@ -1,28 +1,32 @@
-//! The paper's equations and what a general chain needs besides, generic over the scalar: the
-//! compiler runs them on formulas, the tests on plain numbers.
+//! The equations of motion: those of the paper, and those that a general chain needs in addition.
+//!
+//! All equations are generic over the scalar: the compiler runs them on formulas, the tests on
+//! plain numbers.
 //!
 //! # Notation
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | accelerations at a connection point |
-//! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | what a hinge exerts on its child's side |
-//! | `Iᴬ`, `pᴬ` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | Riccati pair, `F = Iᴬ a + pᴬ` |
-//! | `S`, `v` | [`hinge::HingeGeometry`], [`hinge::SubspaceBasis`] | free directions of a hinge and its rates |
-//! | `s`, `J` | [`hinge::StrainMap`] | how far a hinge is from rest, `ṡ = J v` |
-//! | `T`, `W`, `λ` | `closing` | directions that a closing hinge holds, wrenches that do work on one rate each, reactions |
-//! | `c` | the *point* of a link | where a body hangs on its hinge: its input, or its output if the chain is held at its end |
+//! | `a = [r̈; Ω̇]` | [`Motion`](crate::math::Motion) | spatial acceleration of a connection point |
+//! | `F = [q; n]`, `n = −m` | [`Wrench`](crate::math::Wrench) | wrench that a hinge exerts on its child; `q` and `m` are the paper's force and moment |
+//! | `Iᴬ`, `pᴬ` | [`SpatialInertia`](crate::math::SpatialInertia), `Wrench` | articulated inertia and bias force, `F = Iᴬ a + pᴬ`; the Riccati pair of the transfer matrix method |
+//! | `S`, `v` | [`hinge::HingeGeometry`], [`hinge::SubspaceBasis`] | motion subspace of a hinge, and its rates |
+//! | `s`, `J` | [`hinge::StrainMap`] | strains of a hinge (distance from rest), `ṡ = J v` |
+//! | `T`, `W`, `λ` | `loop_hinge` | constraint-force subspace and active-force subspace of the loop hinge, constraint forces |
+//! | `c` | the *point* of a link | where a body is attached to its hinge: its input, or its output if the chain is held at its end only |
 //!
-//! Each file names its further letters and frames at its head. Sweeps over the links are those of
-//! `sweep`; what the generator knows of costs stands in `strategy`.
+//! Frames: the equations of a link are written in its *work axes*, which are fixed in its part and
+//! aligned with its hinge ([`Axes`]). Each file names its further symbols and frames at its head.
 //!
-//! Sign rule: on a body the force at the input end is `+q_I`, at the output end `−q_O`; the torque
-//! at the input end is `−m_I`, at the output end `+m_O`.
+//! The sweeps over the links are in `sweep`. The decisions that depend on costs are in `strategy`.
+//!
+//! Signs: on a body, the force at the input end is `+q_I` and the force at the output end is
+//! `−q_O`; the torque at the input end is `−m_I` and the torque at the output end is `+m_O`.
 //!
 //! # References
 //!
-//! `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for
-//! multibody systems. Multibody System Dynamics 38 (2016).
+//! - `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody systems. Multibody System Dynamics 38 (2016).
+//! - R. Featherstone: Rigid Body Dynamics Algorithms. Springer 2008. Its notation is used unless the paper has its own.
 
 mod constraint_forces;
 mod energy;

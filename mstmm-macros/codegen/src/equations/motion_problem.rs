@@ -1,5 +1,12 @@
-//! The linear problem that both methods solve: how the links move under given loads, efforts and
-//! velocities, with or without a closing hinge.
+//! The linear problem that both methods solve: the motion of the links under given forces, efforts
+//! and bias accelerations, with or without loop constraints.
+//!
+//! `a` and `F` belong to the point of a link, in its work axes. `a` stands for accelerations, or
+//! for changes of velocities. With the inertia `I` and the bias force `p` of a part:
+//!
+//! (1)  `a = X a_p + b + Σ s v̇`
+//! (2)  `F = I a + p + Σ Xᵀ F_c`, `sᵀ F = τ`
+//! (3)  `Tᵀ a = r` at the loop hinge
 
 use super::base_parameters::OriginalInertia;
 use super::constraint_forces::{ConstraintForces, ConstraintRank};
@@ -10,57 +17,57 @@ use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, SpatialInertia, Wrench};
 use crate::model::{Dimension, Layout};
 
-/// A number that must be positive if the accelerations are to mean anything.
+/// A pivot of the Riccati transfer. It must be positive, or the accelerations are meaningless.
 #[derive(Clone, Copy, Debug)]
 pub struct HingePivot<S> {
-    /// Index of the link that it belongs to.
+    /// The link whose hinge has the degree of freedom.
     pub link: LinkId,
-    /// The number.
+    /// The pivot `D`.
     pub value: S,
-    /// What it is measured by: rounding leaves a few units in the last place of this number.
+    /// The scale of the pivot: its rounding error is a few units in the last place of the scale.
     pub scale: S,
 }
 
-/// What the links are to do. `a` may be accelerations, or changes of velocities.
+/// The data of the problem.
 #[derive(Clone, Debug)]
 pub struct MotionProblem<'a, S> {
-    /// The links.
+    /// The kinematics of the links.
     pub links: &'a PerLink<LinkKinematics<S>>,
-    /// The directions that matter.
+    /// The dimension, whose axes the problem is restricted to.
     pub dimension: Dimension,
-    /// The links, for sweeps.
+    /// The tree of links that the sweeps run over.
     pub tree: LinkTree<'a, S>,
-    /// What joins `a` at every link on the way from its parent.
+    /// The bias acceleration `b` of every hinge.
     pub bias_accelerations: PerLink<BiasAcceleration<S>>,
-    /// The part of the wrench at every link's point that does not hang on `a`, of its part alone.
+    /// The bias force `p` of every link's own part: the part of `F` that does not depend on `a`.
     pub bias_forces: PerLink<Wrench<S>>,
-    /// Efforts along the columns of every link.
+    /// The efforts `τ` along the basis vectors of every hinge.
     pub efforts: PerLink<Vec<S>>,
-    /// `a` of the ground.
+    /// The acceleration `a` of the ground.
     pub base_acceleration: Motion<S>,
-    /// The hinge that closes the chain, with what it demands, if there is one.
+    /// The loop constraints, if the chain is closed.
     pub loop_constraints: Option<LoopConstraints<'a, S>>,
-    /// What the links had before their inertias were redistributed, if they were.
+    /// The inertias of the links before the change to base parameters, if it was made.
     pub original_inertias: Option<PerLink<OriginalInertia<S>>>,
-    /// Inertia that a link has besides its own, if any.
+    /// An inertia added to a link's own, if any.
     pub added_inertia: Option<(LinkId, SpatialInertia<S>)>,
 }
 
-/// What a closing hinge demands.
+/// The loop constraints: equation (3).
 #[derive(Clone, Debug)]
 pub struct LoopConstraints<'a, S> {
-    /// The hinge.
+    /// The loop hinge.
     pub loop_hinge: &'a LoopHinge<S>,
-    /// What `a` of the point reached from the inboard side has to be along each of the closing's
-    /// directions: `r_j` of `T_jᵀ a = r_j`.
+    /// The targets `r`: one entry for each constraint.
     pub targets: Vec<S>,
-    /// The wrench in the closing hinge that does not hang on its reactions.
+    /// The wrench in the loop hinge that does not depend on the constraint forces.
     pub applied: Wrench<S>,
-    /// What there is to know of the linkage.
+    /// The rank of the constraints.
     pub rank: ConstraintRank<S>,
 }
 
-/// `F = Iᴬ a' + pᴬ`: what a hinge transmits, with `a'` of the parent carried over.
+/// A wrench as an affine function of the acceleration, `F = Iᴬ a' + pᴬ`, with `a'` the acceleration
+/// from the parent.
 #[derive(Clone, Copy, Debug)]
 pub struct AffineWrench<S> {
     /// `Iᴬ`
@@ -70,30 +77,30 @@ pub struct AffineWrench<S> {
 }
 
 impl<S: Scalar> AffineWrench<S> {
-    /// `F` with this `a'`.
+    /// Returns `F` at this `a'`.
     pub fn at(&self, a: Motion<S>) -> Wrench<S> {
         self.inertia.times(a) + self.bias_force
     }
 }
 
-/// How the links move.
+/// The solution of the problem.
 #[derive(Clone, Debug)]
 pub struct MotionSolution<S> {
-    /// Amounts of every link's free columns.
+    /// Accelerations `v̇` along the basis vectors of every hinge.
     pub basis_accelerations: PerLink<Vec<S>>,
     /// `a` of every link's point.
     pub link_accelerations: PerLink<Motion<S>>,
-    /// What every link's hinge transmits, if that is known without what hangs on it: not where
-    /// reactions of a closing hinge join.
+    /// The wrench in every hinge as a function of the acceleration from the parent. Empty for a
+    /// closed chain, whose wrenches also depend on the constraint forces.
     pub affine_wrenches: PerLink<AffineWrench<S>>,
-    /// Reactions along the closing's directions, and what they do not determine.
+    /// The constraint forces, and their undetermined directions.
     pub constraint_forces: ConstraintForces<S>,
 }
 
 impl<S: Scalar> MotionProblem<'_, S> {
-    /// The same with inertia along what the closing hinge holds: `μ p (pᵀ a − r)` of a direction
-    /// with `pᵀ a = r` is nothing, but it keeps a body that has no inertia there from being loose
-    /// before the chain is closed.
+    /// Returns the problem with inertia added along the constraints. The added term `μ p (pᵀ a −
+    /// r)` vanishes, since `pᵀ a = r`, but without it a body without inertia along `p` would have a
+    /// zero pivot before the constraints apply.
     pub fn with_added_inertia(mut self) -> Self {
         let (Some(constraints), Some((link, wrenches))) =
             (&self.loop_constraints, self.constraint_wrenches())
@@ -122,7 +129,7 @@ impl<S: Scalar> MotionProblem<'_, S> {
         self
     }
 
-    /// The inertia that links `a` and `F` at a link's point.
+    /// Returns the spatial inertia of a link's own part, with the added inertia.
     pub fn inertia(&self, link: LinkId) -> SpatialInertia<S> {
         let own = self.links[link].spatial_inertia();
         match self.added_inertia {
@@ -131,26 +138,26 @@ impl<S: Scalar> MotionProblem<'_, S> {
         }
     }
 
-    /// What measures pivots along shifts and turns of a link's own part.
+    /// Returns the scales of the pivots along translations and about axes, of a link's own part.
     pub fn pivot_scales(&self, link: LinkId) -> (S, S) {
         let inertia = self.inertia(link);
         let own = (inertia.linear.at(0, 0), inertia.angular.trace());
         self.original_inertias.as_ref().map_or(own, |originals| originals[link].scales)
     }
 
-    /// The mass that a link has given to its parent.
+    /// Returns the mass that a link has transferred to its parent.
     pub fn transferred_mass(&self, link: LinkId) -> S {
         self.original_inertias
             .as_ref()
             .map_or(S::zero(), |originals| originals[link].transferred_mass)
     }
 
-    /// `a` of a link's point but for the hinge's own columns, from `a` of its parent's point.
+    /// Returns `a' = X a_p + b` of a link's point, from `a` of its parent's point.
     pub fn acceleration_from_parent(&self, link: LinkId, parent: Motion<S>) -> Motion<S> {
         self.links[link].hinge.acceleration_from_parent(parent, self.bias_accelerations[link])
     }
 
-    /// `a` of the point of a link's parent, from those of all links.
+    /// Returns `a` of the point of a link's parent, from `a` of all links.
     pub fn parent_acceleration(
         &self,
         link: LinkId,
@@ -159,8 +166,8 @@ impl<S: Scalar> MotionProblem<'_, S> {
         self.links[link].parent.map_or(self.base_acceleration, |parent| accelerations[parent])
     }
 
-    /// The wrenches with which the closing's reactions pull at the link that it hangs on, about its
-    /// point, and that link.
+    /// Returns the link inboard of the loop hinge, and the wrenches of unit constraint forces on
+    /// that link about its point.
     pub fn constraint_wrenches(&self) -> Option<(LinkId, Vec<Wrench<S>>)> {
         let loop_hinge = self.loop_constraints.as_ref()?.loop_hinge;
         let parent = loop_hinge.parent?;
@@ -172,7 +179,7 @@ impl<S: Scalar> MotionProblem<'_, S> {
         Some((parent, wrenches))
     }
 
-    /// What the closing demands where it hangs on the ground, or on no link at all.
+    /// Returns `Tᵀ X a` at the loop hinge, if its inboard side is the ground.
     pub fn gamma_on_ground(&self) -> Vec<S> {
         let Some(LoopConstraints { loop_hinge, .. }) = &self.loop_constraints else {
             return Vec::new();
@@ -183,8 +190,8 @@ impl<S: Scalar> MotionProblem<'_, S> {
 }
 
 impl<S: Scalar> MotionSolution<S> {
-    /// Rates of all hinges on links, or their changes, in the layout's order; zero where no link
-    /// is.
+    /// Returns the accelerations of the rates of all links' hinges, in the layout's order; zero for
+    /// a hinge that has no link.
     pub fn rates(&self, links: &PerLink<LinkKinematics<S>>, layout: &Layout) -> Vec<S> {
         let mut rates = vec![S::zero(); layout.dof_count()];
         links.iter().zip(&self.basis_accelerations).for_each(
@@ -197,7 +204,7 @@ impl<S: Scalar> MotionSolution<S> {
     }
 }
 
-/// `Σ motion · amount` of columns.
+/// Returns `Σ s x` over the basis vectors of a link's hinge.
 pub fn basis_motion<S: Scalar>(link: &LinkKinematics<S>, amounts: &[S]) -> Motion<S> {
     let columns = link.hinge.basis.columns.iter().map(|column| column.motion());
     columns.zip(amounts).fold(Motion::zero(), |sum, (motion, &x)| sum + motion.scaled(x))

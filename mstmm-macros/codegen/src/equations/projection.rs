@@ -1,10 +1,9 @@
-//! Back onto the closure: the smallest motion, measured by the kinetic energy that it would take,
-//! that closes a chain whose closing hinge has drifted apart; for coordinates and for rates.
+//! Projection of a closed chain onto its loop constraints, for coordinates and for rates. Of all
+//! motions that close the loop hinge, it takes the one of least kinetic energy.
 //!
-//! It is the motion that an impulse at the closing hinge makes, so the equations are those of the
-//! accelerations without velocities, efforts and loads: `a` are changes of coordinates, or of rates.
-//! The gap and how fast it opens are seen at the closing hinge, in its axes as they arrive from its
-//! inboard side.
+//! An impulse at the loop hinge causes this motion. The equations are therefore those of forward
+//! dynamics without velocities, efforts and loads; `a` are changes of coordinates, or of rates.
+//! Position error and velocity error belong to the loop hinge, in its axes on the inboard side.
 
 use super::hinge::{coordinate_rates, dot, normalized};
 use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
@@ -16,22 +15,21 @@ use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Chain, Hinge, HingeId, Layout};
 
-/// What brings a chain back onto its closure.
+/// The projection of a state onto the loop constraints.
 #[derive(Clone, Debug)]
 pub struct Projection<S> {
-    /// A motion along the rates, to be made by the coordinates.
+    /// The displacement along the rates that the coordinates need.
     pub coordinates: Vec<S>,
-    /// What the rates lack.
+    /// The change of the rates.
     pub rates: Vec<S>,
-    /// How far the closing hinge's sides are apart, in m and rad, and how fast they part, in m/s
-    /// and rad/s: the root of the sum of squares.
+    /// The norm of position error and velocity error, in m, rad, m/s and rad/s.
     pub residual: S,
-    /// How much the directions that count as redundant hold here, from nothing to one. Off the
-    /// closure it is about the square of how far.
+    /// The largest relative pivot among the constraints that count as redundant, from zero to one.
+    /// Away from the loop constraints it is about the square of the distance from them.
     pub excess: S,
 }
 
-/// The correction; nothing for a chain that is not closed.
+/// Returns the projection, or `None` for a chain that is not closed.
 pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Option<Projection<S>> {
     let links = kinematics(context, Axes::Body, trace);
     let loop_hinge = loop_hinge(context, Axes::Body, &links)?;
@@ -57,7 +55,7 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
     })
 }
 
-/// Coordinates that have been moved along the rates.
+/// Returns coordinates displaced along the rates, with quaternions normalised.
 pub fn displace<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], rates: &[S]) -> Vec<S> {
     let one = |(index, hinge): (HingeId, &Hinge)| {
         if hinge.is_prescribed() {
@@ -71,7 +69,7 @@ pub fn displace<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], rates: &[S])
     chain.hinges.enumerate().flat_map(one).collect()
 }
 
-/// From where the closing hinge arrives to where it should: a shift and a turn.
+/// Returns the displacement from the inboard side of the loop hinge to its outboard side.
 fn position_error<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -101,23 +99,26 @@ fn position_error<S: Scalar>(
     }
 }
 
-/// How far apart the sides of a closing hinge are.
+/// The position error of the loop hinge.
 struct PositionError<S> {
-    /// From where the hinge arrives to where it should, its axes.
+    /// Translation and rotation vector from the inboard to the outboard side, in the hinge's
+    /// inboard axes.
     motion: Motion<S>,
-    /// The turn of it.
+    /// The rotation matrix of the same rotation.
     rotation: Mat3<S>,
 }
 
 impl<S: Scalar> PositionError<S> {
-    /// What the rotation vector does not show: half a turn has no direction, but a cosine.
+    /// Returns the error that the rotation vector does not show: a rotation by half a turn has no
+    /// unique axis, but its cosine is known.
     fn half_turn_error(&self) -> S {
         let versine = S::one() - self.rotation.angle_cosine();
         versine * versine
     }
 }
 
-/// How the closing hinge's outboard side moves against what arrives there, its axes.
+/// Returns the velocity of the outboard side of the loop hinge relative to its inboard side, in its
+/// axes.
 fn velocity_error<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     loop_hinge: &LoopHinge<S>,
@@ -136,8 +137,8 @@ fn pose_of<S: Scalar>(link: Option<LinkId>, poses: &PerLink<Pose<S>>) -> Pose<S>
     link.map_or(Pose::ground(), |link| poses[link])
 }
 
-/// The motion of all hinges that moves the closing hinge by `wanted`, and how much redundant
-/// directions hold.
+/// Returns the motion of all hinges that moves the loop hinge by `wanted`, and the excess of the
+/// redundant constraints.
 fn minimal_motion<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,

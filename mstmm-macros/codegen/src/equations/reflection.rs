@@ -1,13 +1,14 @@
-//! One linear condition takes one unknown out of an affine relation, by a Householder reflection:
-//! no choice by value, no growth of rounding errors, whatever the length of the chain.
+//! Elimination of one unknown by one linear condition, with a Householder reflection. The
+//! reflection does not branch on values, and its rounding errors do not grow with the length of the
+//! chain.
 //!
-//! `c x = c₀` with `H = 1 − γ v vᵀ` and `c H = −s e_p` leaves `x = H [w; y]`, `w = −c₀ / s`, with
-//! `y` free. The place `p` of the entry that leaves follows from which coefficients vanish for
+//! `c x = c₀` with `H = 1 − γ v vᵀ` and `c H = −s e_p` gives `x = H [w; y]`, `w = −c₀ / s`, with
+//! `y` free. The index `p` of the eliminated entry depends only on which coefficients vanish in
 //! every state, so it is the same in every step.
 
 use crate::math::Scalar;
 
-/// Things that can be mixed by numbers: the columns that belong to unknowns.
+/// A quantity of which linear combinations can be taken: a column that belongs to an unknown.
 pub trait VectorSpace<S>: Copy {
     /// `self + other · factor`
     fn plus_scaled(self, other: Self, factor: S) -> Self;
@@ -15,12 +16,12 @@ pub trait VectorSpace<S>: Copy {
     fn scaled(self, factor: S) -> Self;
 }
 
-/// How one condition was used.
+/// The reflection of one condition.
 #[derive(Clone, Debug)]
 pub struct Reflection<S> {
-    /// `p`
+    /// The index `p`.
     index: usize,
-    /// `v`; empty where one coefficient alone does not vanish and nothing needs reflecting.
+    /// `v`; empty if only one coefficient does not vanish, which needs no reflection.
     vector: Vec<S>,
     /// `γ`
     factor: S,
@@ -29,11 +30,11 @@ pub struct Reflection<S> {
 }
 
 impl<S: Scalar> Reflection<S> {
-    /// Uses a condition with these coefficients.
+    /// Returns the reflection for a condition with these coefficients.
     pub fn of(coefficients: &[S]) -> Self {
         let present: Vec<usize> =
             (0..coefficients.len()).filter(|&k| !coefficients[k].vanishes()).collect();
-        // No condition is without coefficients, unless nothing has inertia, which the pivots
+        // A condition without coefficients occurs only if bodies lack inertia, which the pivots
         // report.
         let index = present.first().copied().unwrap_or(0);
         let entry = coefficients[index];
@@ -53,12 +54,12 @@ impl<S: Scalar> Reflection<S> {
         Reflection { index, inverse: -(vector[index] * factor), vector, factor }
     }
 
-    /// `w`, what the reflected unknown at `p` must be if the condition's value is `value`.
+    /// Returns `w`, the eliminated unknown, if the condition's value is `value`.
     pub fn determine(&self, value: S) -> S {
         value * self.inverse
     }
 
-    /// Rewrites the columns of `x` as those of `y`; returns the one that belongs to `w`.
+    /// Rewrites the columns of `x` as those of `y`; returns the column of `w`.
     pub fn apply<M: VectorSpace<S>>(&self, columns: &mut Vec<M>) -> M {
         if let Some(first) = self.vector.first() {
             let mut along = columns[0].scaled(*first);
@@ -73,7 +74,7 @@ impl<S: Scalar> Reflection<S> {
         columns.remove(self.index)
     }
 
-    /// `x` from `y` and `w`.
+    /// Returns `x` from `y` and `w`.
     pub fn expand(&self, mut unknowns: Vec<S>, determined: S) -> Vec<S> {
         unknowns.insert(self.index, determined);
         if !self.vector.is_empty() {
@@ -87,7 +88,7 @@ impl<S: Scalar> Reflection<S> {
         unknowns
     }
 
-    /// `v`, for the record.
+    /// Returns `v`, for the trace.
     pub fn vector(&self) -> &[S] {
         &self.vector
     }

@@ -1,8 +1,8 @@
-//! Everything that can be asked of a chain once its accelerations are known: pose, velocity and
-//! the state vector `z` at every connection point, of the bodies as written.
+//! The full report on a chain, once its accelerations are known: pose, velocity and state vector
+//! `z` at every connection point of the bodies as written.
 //!
-//! Poses are inertial. All else stays in the axes of links, where the sweeps have most of it: a
-//! turn into inertial axes is made where a number is read.
+//! Poses are in the inertial frame. Other vectors stay in the axes of links, where the sweeps
+//! compute them. They are rotated to inertial axes when they are read.
 
 use super::connection_points::{ConnectionPoint, connection_points};
 use super::hinge_wrenches::WrenchSum;
@@ -15,59 +15,60 @@ use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::{Dimension, HingeId, LinkId};
 
-/// A vector, and the axes that its components are seen in.
+/// A vector with the axes of its components.
 #[derive(Clone, Copy, Debug)]
 pub struct FramedVector<S> {
-    /// From those axes to inertial ones.
+    /// Rotation from these axes to inertial axes.
     pub axes: Mat3<S>,
     /// The components.
     pub vector: Vec3<S>,
 }
 
 impl<S: Scalar> FramedVector<S> {
-    /// The components in inertial axes.
+    /// Returns the components in inertial axes.
     pub fn inertial(&self) -> Vec3<S> {
         self.axes * self.vector
     }
 }
 
-/// A connection point.
+/// The state at a connection point.
 #[derive(Clone, Copy, Debug)]
 pub struct PointState<S> {
-    /// Its place, inertial frame.
+    /// Its position in m, inertial frame.
     pub position: Vec3<S>,
-    /// Its frame's axes to inertial ones.
+    /// Rotation from the axes of its frame to inertial axes.
     pub rotation: Mat3<S>,
-    /// Its velocity.
+    /// Its velocity in m/s.
     pub velocity: FramedVector<S>,
-    /// Its frame's angular velocity `Ω`.
+    /// The angular velocity `Ω` of its frame in rad/s.
     pub omega: FramedVector<S>,
-    /// `r̈`, that of free fall the other way among it.
+    /// Its proper acceleration in m/s²: `r̈` minus gravity.
     pub proper_acceleration: FramedVector<S>,
-    /// `Ω̇`
+    /// The angular acceleration `Ω̇` in rad/s².
     pub angular_acceleration: FramedVector<S>,
-    /// Internal moment `m`, in the signs of [P, Sect. 2.1].
+    /// The internal moment `m` in N m, with the signs of [P, Sect. 2.1].
     pub moment: FramedVector<S>,
-    /// Internal force `q`.
+    /// The internal force `q` in N.
     pub force: FramedVector<S>,
 }
 
-/// Everything but the accelerations themselves.
+/// The results other than the accelerations of the free rates.
 #[derive(Clone, Debug)]
 pub struct Report<S> {
-    /// All connection points in the order written: the first element's input, then every output.
-    /// One more than there are elements.
+    /// All connection points in route order: the input of the first element, then the outputs of
+    /// all elements. There is one point more than elements.
     pub points: Vec<PointState<S>>,
-    /// What a point at rest feels: to be taken from what others feel, inertial frame.
+    /// The proper acceleration of a point at rest, inertial frame: to be subtracted from that of
+    /// other points.
     pub base_acceleration: Vec3<S>,
-    /// Accelerations of all hinges' rates, prescribed ones as well.
+    /// Accelerations of all hinges' rates, including prescribed ones.
     pub accelerations: Vec<S>,
-    /// What drives every rate: the efforts of motors, and what prescribed motions take.
+    /// Efforts along all rates: actuator efforts, and the efforts that prescribed motions require.
     pub efforts: Vec<S>,
 }
 
-/// The report on a chain with every body a link, from what the sweeps know with welded bodies
-/// merged.
+/// Returns the report. The context has a link for every body; `solved` and `swept` come from a
+/// context with welded bodies merged.
 pub fn report<S: Scalar>(
     context: &EvalContext<S>,
     (solved, swept): (&ForwardDynamics<S>, &SweepResult<S>),
@@ -107,7 +108,7 @@ pub fn report<S: Scalar>(
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
-        trace.vector(&format!("point{number}_felt"), point.proper_acceleration.vector);
+        trace.vector(&format!("point{number}_proper_acc"), point.proper_acceleration.vector);
         trace.vector(&format!("point{number}_position"), point.position);
         trace.matrix(&format!("point{number}_rotation"), point.rotation);
     }
@@ -127,7 +128,7 @@ fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
     trace.vector(&format!("{name}_velocity"), pose.velocity);
 }
 
-/// The accelerations of all rates, in the layout's order of all rates.
+/// Returns the accelerations of all rates, in the layout's order of all rates.
 fn rate_accelerations<S: Scalar>(context: &EvalContext<S>, free: &[S]) -> Vec<S> {
     let of = |hinge: HingeId| match context.prescribed_accelerations(hinge) {
         Some(given) => given.to_vec(),
@@ -136,7 +137,8 @@ fn rate_accelerations<S: Scalar>(context: &EvalContext<S>, free: &[S]) -> Vec<S>
     context.chain.hinges.ids().into_iter().flat_map(of).collect()
 }
 
-/// What is felt at all links' points: of bodies welded to others, by way of those.
+/// Returns the proper accelerations of all links' points. For a body that was merged into another
+/// they follow from the other body.
 fn proper_accelerations<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -156,7 +158,8 @@ fn proper_accelerations<S: Scalar>(
     all.into_iter().map(|ProperAcceleration(proper_acceleration)| proper_acceleration).collect()
 }
 
-/// What is felt at a link's point. It crosses no boundary: the sweeps know it there.
+/// The proper acceleration of a link's point. It crosses no boundary, since the sweeps compute it
+/// on both sides.
 #[derive(Clone, Copy)]
 struct ProperAcceleration<S>(Motion<S>);
 
@@ -166,8 +169,8 @@ impl<S: Scalar> Flatten<S> for ProperAcceleration<S> {
     }
 }
 
-/// What every link's hinge exerts on it about its point [P, Eqs. (18), (19)]: of welds between
-/// bodies, what everything behind them takes.
+/// Returns the wrench that every link's hinge exerts on the link, about its point [P, Eqs. (18),
+/// (19)]. In a weld between merged bodies it is the sum over everything outboard of it.
 fn wrenches<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
@@ -211,23 +214,24 @@ fn wrenches<S: Scalar>(
     context.tree.inward(all, WrenchSum(None), step).0
 }
 
-/// A hinge and what it transmits.
+/// A hinge with the wrench in it.
 struct HingeWrench<S> {
     hinge: HingeKinematics<S>,
-    /// The link in whose work axes it is; none if those are inertial.
+    /// The link whose work axes the first two wrenches are in; `None` for inertial axes.
     axes: Option<LinkId>,
-    /// Exerted by the inboard on the outboard side, about the outboard side's origin.
+    /// Exerted by the inboard side on the outboard side, about the origin of the outboard side.
     at_outboard: Wrench<S>,
-    /// Exerted by the inboard on the outboard side, about the inboard side's origin.
+    /// Exerted by the inboard side on the outboard side, about the origin of the inboard side.
     at_inboard: Wrench<S>,
     /// Exerted on the child, about its point, in the hinge's work axes.
     on_child: Wrench<S>,
-    /// The link behind it, where both its sides are one point that moves with that as well.
+    /// The outboard link, if both sides of the hinge are one point that is also the link's point.
     concentric_link: Option<LinkId>,
 }
 
 impl<S: Scalar> HingeWrench<S> {
-    /// Over a link's hinge. On a seam the axes in front are known, those behind are another time's.
+    /// Returns the wrench in a link's hinge. At the boundary of a repeated part, the axes inboard
+    /// of the hinge are used, since those outboard of it belong to another repetition.
     fn across(
         context: &EvalContext<S>,
         index: LinkId,
@@ -249,7 +253,8 @@ impl<S: Scalar> HingeWrench<S> {
         HingeWrench { hinge, axes, at_outboard, at_inboard, on_child, concentric_link }
     }
 
-    /// Over the hinge that closes the chain: the wrench on its outboard side, in its parent's axes.
+    /// Returns the wrench in the loop hinge, from the wrench on its outboard side in its parent's
+    /// axes.
     fn loop_hinge(loop_hinge: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
         let hinge = loop_hinge.hinge.clone();
         let at_inboard = wrench.shifted_from(hinge.offset);
@@ -265,8 +270,8 @@ impl<S: Scalar> HingeWrench<S> {
     }
 }
 
-/// What drives every rate: of a prescribed motion `Sᵀ F` and what its rotors take, less what acts
-/// along it of itself.
+/// Returns the efforts along all rates. For a prescribed motion the effort is `Sᵀ F`, plus the
+/// effort of rotors, minus the efforts of passive elements.
 fn hinge_efforts<S: Scalar>(
     context: &EvalContext<S>,
     hinges: &IdVec<HingeId, Option<HingeWrench<S>>>,
@@ -287,7 +292,7 @@ fn hinge_efforts<S: Scalar>(
     hinges.enumerate().flat_map(of).collect()
 }
 
-/// What the connection points are read off.
+/// The data that the states of connection points are read from.
 struct PointReader<'a, S> {
     context: &'a EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
@@ -328,8 +333,8 @@ impl<S: Scalar> PointReader<'_, S> {
         }
     }
 
-    /// Velocity and acceleration of a place on a link: where another link's point is there too,
-    /// that one's, which are known.
+    /// Returns velocity and proper acceleration of a point on a link. If the point of another link
+    /// coincides with it, the known values of that link are returned.
     fn velocity_and_acceleration(
         &self,
         at: &ConnectionPoint,
@@ -353,7 +358,8 @@ impl<S: Scalar> PointReader<'_, S> {
         (self.framed(Some(index), velocity), self.framed(Some(index), proper_acceleration))
     }
 
-    /// `q` and `m` at a place: on a body, `+q` and `−m` at its input, `−q` and `+m` at its output.
+    /// Returns `q` and `m` at a point: on a body `+q` and `−m` at its input, `−q` and `+m` at its
+    /// output.
     fn force_and_moment(&self, at: &ConnectionPoint) -> (FramedVector<S>, FramedVector<S>) {
         let through = |(index, outboard): (HingeId, bool)| {
             let Some(hinge) = &self.hinges[index] else { bug!("a hinge transmits nothing") };
@@ -364,8 +370,8 @@ impl<S: Scalar> PointReader<'_, S> {
         (self.framed(axes, wrench.force), self.framed(axes, -wrench.moment))
     }
 
-    /// A vector in the work axes of a link, or in inertial ones. In a plane and along a line it
-    /// comes in the axes of the link's frame: work axes may lie across.
+    /// Returns a vector in the work axes of a link or in inertial axes. In a plane or on a line it
+    /// is in the axes of the part's frame, since work axes may be perpendicular to these.
     fn framed(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
         let Some(index) = link else { return FramedVector { axes: Mat3::identity(), vector } };
         let (axes, part_to_work) = (self.poses[index].to_inertial, self.links[index].part_to_work);

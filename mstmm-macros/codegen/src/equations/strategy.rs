@@ -1,57 +1,59 @@
-//! What the generator knows of costs: where a quantity can be computed in several ways, which one
-//! is taken.
+//! Decisions that depend on costs: which of several exact formulas the sweeps use.
 //!
-//! All ways are exact, and the sweeps ask here, so that formulas stand alone. Every decision
-//! depends on which numbers are zero for every state, on the structure of the chain or on the
-//! method, never on values. Times are for chains of the benchmarks (`benches/README.md`): D7 is the
-//! Panda, C7 has seven pins about alternating axes, A10 ten pins in a plane, B3 to B100 that many
-//! balls.
+//! The sweeps ask the functions here, so that the formulas contain no cost considerations.
+//! Decisions depend on which values are zero in every state, on the structure of the chain and on
+//! the method, never on values. Times are for the chains of the benchmarks (`benches/README.md`):
+//! D7 is the Panda, C7 has seven pins about alternating axes, A10 has ten pins in a plane, B3 to
+//! B100 have that many balls.
 
 use crate::math::{Mat3, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::SolutionMethod;
 
-/// The axes in which the equations of the links are written.
+/// The work axes, in which the equations of the links are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axes {
-    /// Axes fixed in each part, aligned with the hinge that it hangs on: inertias stay constant,
-    /// what is transferred turns at every hinge.
+    /// Axes fixed in each part and aligned with the inboard hinge of its link: inertias stay
+    /// constant, and the propagated quantities are rotated at every hinge.
     Body,
-    /// The inertial axes: nothing turns at a hinge, the inertias do.
+    /// Inertial axes: nothing is rotated at a hinge, but the inertias are rotated.
     Inertial,
 }
 
-/// The axes of the sweeps. In inertial axes `riccati` took 45 % more operations in the best case
-/// measured (thirty balls) and six times as many in the worst (one ball).
+/// The work axes of generated code. In inertial axes `riccati` needed 45 % more operations in the
+/// best case measured (thirty balls) and six times as many in the worst case (one ball).
 pub const AXES: Axes = Axes::Body;
 
-/// Over so many bodies at most a transmitted wrench is a sum of what every body takes.
+/// The largest number of bodies that a wrench in a hinge is summed over.
 ///
-/// Beyond, and at the boundaries of repeated parts, it is `Iᴬ a' + pᴬ`: that takes about as many
-/// operations, but the 20 numbers have to be kept until accelerations are known, and rounding of
-/// the sum grows with the square of the number of bodies. Sums in place of relations: D7 500 → 458
-/// ns, C7 409 → 377, B3 183 → 152, together with base parameters in the energies.
+/// For more bodies, and at the boundaries of repeated parts, the wrench is `Iᴬ a' + pᴬ`. This needs
+/// about as many operations, but 20 values must be stored until the accelerations are known. The
+/// rounding error of the sum grows with the square of the number of bodies. Times with sums instead
+/// of `Iᴬ a' + pᴬ`, together with base parameters in the energies: D7 500 → 458 ns, C7 409 → 377,
+/// B3 183 → 152.
 pub const MAX_SUMMED_BODIES: usize = 8;
 
-/// Whether the relations of the Riccati transfer are kept for transmitted wrenches. With a closing
-/// hinge they would contain its reactions, in as many products as the sum over all bodies takes.
+/// Whether the Riccati transfer stores `Iᴬ` and `pᴬ` for the wrenches in hinges. In a closed chain
+/// they would contain the constraint forces, which needs as many products as the sum over all
+/// bodies.
 pub fn keeps_affine_wrenches(is_closed: bool) -> bool {
     !is_closed
 }
 
-/// Whether accelerations are computed with base parameters.
+/// Whether forward dynamics uses base parameters.
 ///
-/// They take 2 to 5 % less time. In inertial axes inertias turn with the parts, so nothing is
-/// saved. The transfer takes the bodies as they are, and so do constraints.
+/// Base parameters save 2 to 5 % of the time. In inertial axes they save nothing, since the
+/// inertias rotate with the parts. The transfer method and loop constraints use the original
+/// inertias.
 pub fn uses_base_parameters(method: SolutionMethod, axes: Axes, is_closed: bool) -> bool {
     method == SolutionMethod::Riccati && axes == Axes::Body && !is_closed
 }
 
-/// About how many operations a rigid body takes in a sweep: to be added to what comes from the
-/// children, and for its velocity load. A rod is given to the parent if that makes the sum of both
-/// smaller.
+/// Returns the approximate number of operations that a rigid body costs in a sweep: the sum with
+/// the contributions of its children, and its velocity wrench. A rod is transferred to the parent
+/// if the number for both bodies becomes smaller.
 ///
-/// Masses in the middle of balls might be given as well, for one operation in a hundred less; three
-/// balls took 6 % more time then, ten 12 %.
+/// Masses at the centres of balls could be transferred as well, which saves one operation in a
+/// hundred. But three balls then took 6 % more time, and ten balls 12 %.
 pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> usize {
     let count = |numbers: &[S]| numbers.iter().filter(|x| !x.vanishes()).count();
     let Sym3(entries) = inertia;
@@ -65,21 +67,21 @@ pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) ->
     added + 6 * count(&moment.0) + gyroscopic
 }
 
-/// How many directions a plane has.
+/// The number of degrees of freedom in a plane.
 const PLANE: usize = 3;
 
-/// Whether what follows on the elimination of an axis waits for `1 / D`, `U = Iᴬ s` having few
-/// entries as in a plane: then products `U Uᵀ` are computed meanwhile, and back outwards `Kᵀ a'` is
-/// taken apart into what depends on the parent and what does not. Some operations more, of A10's
-/// 155 ns 17 less.
+/// Whether the computations after the elimination of an axis would wait for `1 / D`. This is so if
+/// `U = Iᴬ s` has few entries, as in a plane. Then the products `U Uᵀ` are computed in the
+/// meantime, and in the outward sweep `Kᵀ a'` is split into a part that depends on the parent and a
+/// part that does not. This costs some operations more, and saves 17 ns of A10's 155.
 pub fn waits_for_pivot<S: Scalar>(u: &Wrench<S>) -> bool {
     (0..6).filter(|&k| !u.at(k).vanishes()).count() <= PLANE
 }
 
-/// The formula by which an articulated inertia is turned. Where it leaves the plane of the turn
-/// alone, as in plane chains, there is so little to compute for each body that results are waited
-/// for: the formula with the shortest path takes 39 ns from A10's 194. Of chains in space it makes
-/// C7 1 % faster and D7 2 % slower.
+/// Returns the formula by which an articulated inertia is rotated. In plane chains the plane of the
+/// rotation is not coupled to the rest, and each body has so few operations that they wait for each
+/// other: the formula with the shortest path saves 39 ns of A10's 194. For chains in space, it
+/// makes C7 1 % faster and D7 2 % slower.
 pub fn plane_formula<S: Scalar>(
     rotation: &Rotation<S>,
     inertia: &SpatialInertia<S>,
@@ -96,16 +98,16 @@ pub fn plane_formula<S: Scalar>(
     }
 }
 
-/// Whether tensors are turned about a hinge's axis first and by the fixed `mount` then: only where
-/// that exchanges axes, and so costs nothing: accelerations of the Panda take 1324 operations in
-/// place of 1508.
+/// Whether tensors are rotated in two steps: about a hinge's axis, then by the fixed `mount`. This
+/// is so only if `mount` permutes the axes, which costs nothing. Accelerations of the Panda need
+/// 1324 operations instead of 1508.
 pub fn rotates_in_steps<S: Scalar>(mount: Mat3<S>) -> bool {
     mount.0.iter().all(|row| row.iter().filter(|entry| entry.vanishes()).count() == 2)
 }
 
-/// Whether `1 / D` of the last axis of a hinge is computed from `Iᴬ` before the axis before it was
-/// eliminated, in place of after it: if the two depend on each other by `coupling`. One operation
-/// more, 13 of 147 cycles a ball less: B100 3610 → 3330 ns, B3 46.1 → 46.9.
+/// Whether `1 / D` of the last axis of a hinge is computed from `Iᴬ` before the elimination of the
+/// axis before it, which is so if both are coupled. This costs one operation more and saves 13 of
+/// 147 cycles per ball: B100 3610 → 3330 ns, B3 46.1 → 46.9.
 pub fn inverts_early<S: Scalar>(coupling: S) -> bool {
     !coupling.vanishes()
 }

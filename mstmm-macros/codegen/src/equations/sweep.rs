@@ -1,37 +1,39 @@
-//! Sweeps over the links of a chain: from the ground outwards, from the free ends inwards, and sums
-//! along the way. Only the functions here loop over links, and only they know where a repeated part
-//! begins and ends, so that no algorithm can forget it.
+//! Sweeps over the links of a chain: from the ground outward, from the free ends inward, and along
+//! paths. Only the functions in this file loop over links, and only they handle the boundaries of
+//! repeated parts. An algorithm therefore cannot forget a boundary.
 //!
-//! On plain numbers nothing happens at these boundaries: such a chain is written out. The compiler
-//! runs the equations of a repeated part once, for all repetitions: what a sweep carries into the
-//! part is replaced by unknowns that stand for what any repetition hands to the next one, and what
-//! it carries out by unknowns for what the last one leaves. An outward sweep crosses a boundary
-//! after the link there, an inward sweep before it.
+//! With plain numbers nothing happens at the boundaries: the chain is written out. The compiler
+//! runs the equations of a repeated part once, for all repetitions. At the start of the part, a
+//! sweep's values are replaced by unknowns for the values that any repetition passes to the next;
+//! at the end, by unknowns for the values that the last repetition leaves. An outward sweep crosses
+//! a boundary after the link at the boundary, an inward sweep before that link.
 
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Layout, LinkId, RepeatBoundary, RepeatId};
 use std::fmt::Debug;
 
-/// One for each link.
+/// One entry for each link.
 pub type PerLink<T> = IdVec<LinkId, T>;
 
-/// Replaces what sweeps carry over the boundaries of repeated parts.
+/// Replaces the values that sweeps carry across the boundaries of repeated parts.
 pub trait LoopHook<S>: Debug {
-    /// What any repetition begins with, for what the first one does.
+    /// Returns the values that any repetition starts with, from the values that the first starts
+    /// with.
     fn enter(&self, repeat: RepeatId, inwards: bool, first: &[S]) -> Vec<S>;
-    /// What the last repetition ends with, for what any one does.
+    /// Returns the values after the last repetition, from the values after any repetition.
     fn leave(&self, repeat: RepeatId, any: &[S]) -> Vec<S>;
 }
 
-/// What a sweep carries from link to link.
+/// A set of values that a sweep carries from link to link.
 pub trait Flatten<S>: Clone {
-    /// The same with every number that crosses boundaries replaced, always in the same order: those
-    /// that belong to the point of a link. Numbers of its hinge stay on their side.
+    /// Returns the set with every value replaced that crosses boundaries, always in the same order.
+    /// These are the values at the point of a link; values that belong to the hinge are not
+    /// replaced.
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self;
 }
 
-/// The links of a chain as a tree on the ground.
+/// The tree of a chain's links, rooted at the ground.
 #[derive(Clone, Copy, Debug)]
 pub struct LinkTree<'a, S> {
     layout: &'a Layout,
@@ -45,12 +47,12 @@ enum SweepDirection {
 }
 
 impl<'a, S: Scalar> LinkTree<'a, S> {
-    /// The links of `layout`, repeated parts written out.
+    /// Returns the tree of the links in `layout`, without loops over repetitions.
     pub fn new(layout: &'a Layout) -> Self {
         LinkTree { layout, hook: None }
     }
 
-    /// The same with `hook` at the boundaries of repeated parts.
+    /// Returns this tree with `hook` at the boundaries of repeated parts.
     pub fn with_loops(self, hook: &'a dyn LoopHook<S>) -> Self {
         LinkTree { hook: Some(hook), ..self }
     }
@@ -60,12 +62,12 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         self.layout.links[link].boundary.is_some()
     }
 
-    /// Whether a link belongs to a repeated part whose equations run once for all repetitions.
+    /// Whether a link is in a repeated part whose equations run once for all repetitions.
     pub fn is_repeated(&self, link: LinkId) -> bool {
         self.hook.is_some() && self.layout.links[link].repeated
     }
 
-    /// The links from the ground to `last`.
+    /// Returns the links from the ground to `last`.
     pub fn path_to(&self, last: LinkId) -> Vec<LinkId> {
         let parent = |&link: &LinkId| self.layout.links[link].parent;
         let mut path: Vec<LinkId> = std::iter::successors(Some(last), parent).collect();
@@ -73,8 +75,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         path
     }
 
-    /// From the ground outwards: of what its parent has, or of `base` on the ground, `step` makes
-    /// what a link has and a result. Both come back by links.
+    /// Sweeps from the ground outward. `step` computes a link's values and a result from the values
+    /// of its parent, which are `base` on the ground. Returns the values and the results, by links.
     pub fn outward<B: Flatten<S>, R>(
         &self,
         base: B,
@@ -91,9 +93,10 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
-    /// From the free ends inwards: `step` takes what a link has of its `own` and what its children
-    /// have added to that, adds its part to what its parent has, `base` on the ground, and makes a
-    /// result. The results come back by links, with what has reached the ground.
+    /// Sweeps from the free ends inward. `step` receives the values of a link (its entry in `own`
+    /// plus what its children have added), adds to the values of the link's parent and returns a
+    /// result. Returns the results, by links, and the values that have reached the ground, which
+    /// start as `base`.
     pub fn inward<B: Flatten<S>, R>(
         &self,
         mut own: PerLink<B>,
@@ -114,14 +117,14 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (results.into(), base)
     }
 
-    /// Over all links in their order, with a running total.
+    /// Runs `step` over all links in order, with a running total.
     pub fn total<B: Flatten<S>>(&self, start: B, mut step: impl FnMut(LinkId, B) -> B) -> B {
         let all: Vec<LinkId> = self.layout.links.ids().into_iter().collect();
         self.along(&all, start, |link, total| (step(link, total), ())).0
     }
 
-    /// Along a path from the ground, each link taking over from the one before: what the last link
-    /// leaves, and the results with their links.
+    /// Sweeps outward along a path; each link takes the values of the link before it. Returns the
+    /// values of the last link, and the results with their links.
     pub fn along<B: Flatten<S>, R>(
         &self,
         path: &[LinkId],
@@ -138,7 +141,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
-    /// The same path back to the ground, with what the way outwards has left at each link.
+    /// Sweeps back along the same path. `step` receives the result that the outward sweep has left
+    /// at the link.
     pub fn back_along<B: Flatten<S>, T, R>(
         &self,
         path: &[(LinkId, T)],
@@ -157,8 +161,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
-    /// What goes on beyond a link, which differs from what comes to it at the boundary of a
-    /// repeated part.
+    /// Returns the values on the other side of a link, which differ at the boundary of a repeated
+    /// part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
         let (Some(RepeatBoundary { repeat, at_end }), Some(hook)) =
             (self.layout.links[link].boundary, self.hook)
@@ -170,7 +174,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
             numbers.push(number);
             number
         });
-        // What the sweep does not carry over this boundary makes no loop.
+        // Without values across this boundary no loop is needed.
         if numbers.is_empty() {
             return carried;
         }
@@ -260,8 +264,7 @@ mod tests {
     use crate::model::{Layout, LinkId, RepeatId};
     use std::cell::RefCell;
 
-    /// Takes down what crosses boundaries: any repetition begins with a hundred more, and the last
-    /// one leaves a thousand more.
+    /// Records what crosses boundaries. `enter` adds 100, `leave` adds 1000.
     #[derive(Debug, Default)]
     struct Loops(RefCell<Vec<(&'static str, bool, f64)>>);
 
@@ -276,8 +279,7 @@ mod tests {
         }
     }
 
-    /// A pin, a repeated part of the link where it begins, a pin and the link where it ends, and a
-    /// pin.
+    /// A pin, a repeated part with a boundary link at either end, and a pin.
     fn layout() -> Layout {
         let text = "chain Rope {
             body Rod {
@@ -303,7 +305,7 @@ mod tests {
         };
         let path: Vec<LinkId> = layout.links.ids().into_iter().collect();
         let with_nothing: Vec<(LinkId, ())> = path.iter().map(|&link| (link, ())).collect();
-        // Each link counts one. After two of them a repetition begins, after two more it ends.
+        // Each link counts one. A repetition begins after two links and ends after two more.
         let outwards = [("enter", false, 2.0), ("leave", false, 104.0)];
         assert_eq!(
             crossings(&|tree| {
@@ -323,7 +325,7 @@ mod tests {
             }),
             outwards
         );
-        // Inwards a boundary is crossed before its link is added.
+        // An inward sweep crosses a boundary before it adds the link.
         assert_eq!(
             crossings(&|tree| {
                 let own = PerLink::filled(1.0, path.len());

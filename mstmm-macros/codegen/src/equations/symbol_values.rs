@@ -1,17 +1,17 @@
-//! The numbers of a chain as scalars.
+//! The values of a chain's parameters, constants and formulas.
 
 use crate::math::{Mat3, Scalar, Sym3, Vec3};
 use crate::model::{About, Attachment, Body, Chain, Frame, Symbol, Value};
 
-/// What stands for the symbols of a chain's numbers.
+/// Values of the symbols in a chain's formulas.
 #[derive(Clone, Debug)]
 pub struct SymbolValues<S> {
-    /// By [`Symbol::Parameter`].
+    /// Indexed by [`Symbol::Parameter`].
     pub parameters: Vec<S>,
-    /// By [`Symbol::Constant`].
+    /// Indexed by [`Symbol::Constant`].
     pub constants: Vec<S>,
-    /// One for each independent direction of the closing hinge, then zeros; nothing where none of
-    /// them is known to depend on others.
+    /// A one for each independent loop constraint, then zeros. Empty if no constraint is known to
+    /// depend on others.
     pub closure_steps: Vec<S>,
 }
 
@@ -22,7 +22,7 @@ impl<S> Default for SymbolValues<S> {
 }
 
 impl<S: Scalar> SymbolValues<S> {
-    /// The number of a formula.
+    /// Returns the value of a formula.
     pub fn scalar(&self, value: &Value) -> S {
         match value {
             Value::Number(number) => S::number(*number),
@@ -37,22 +37,23 @@ impl<S: Scalar> SymbolValues<S> {
         }
     }
 
-    /// The components of a vector.
+    /// Returns the components of a vector.
     pub fn vector(&self, values: &[Value; 3]) -> Vec3<S> {
         Vec3([0, 1, 2].map(|k| self.scalar(&values[k])))
     }
 
-    /// A rotation matrix.
+    /// Returns a rotation matrix.
     pub fn rotation(&self, rows: &[[Value; 3]; 3]) -> Mat3<S> {
         Mat3::from_fn(|i, j| self.scalar(&rows[i][j]))
     }
 
-    /// Origin and rotation of a frame.
+    /// Returns origin and rotation of a frame.
     pub fn frame(&self, frame: &Frame) -> (Vec3<S>, Mat3<S>) {
         (self.vector(&frame.position), self.rotation(&frame.rotation))
     }
 
-    /// Origin and rotation of a place in the frame of its body, or in the inertial frame.
+    /// Returns origin and rotation of an attachment, in the frame of its body or in the inertial
+    /// frame.
     pub fn place(&self, chain: &Chain, place: &Attachment) -> (Vec3<S>, Mat3<S>) {
         match place {
             Attachment::Ground(frame) => self.frame(frame),
@@ -61,7 +62,7 @@ impl<S: Scalar> SymbolValues<S> {
         }
     }
 
-    /// Inertia of a body about its centre of mass, body axes.
+    /// Returns the inertia of a body about its centre of mass, body axes.
     pub fn central_inertia(&self, body: &Body) -> Sym3<S> {
         let tensor = self.tensor(body);
         match body.inertia.about {
@@ -70,7 +71,7 @@ impl<S: Scalar> SymbolValues<S> {
         }
     }
 
-    /// The unit vector along `axis`.
+    /// Returns the unit vector along `axis`.
     pub fn unit(&self, axis: &[Value; 3]) -> Vec3<S> {
         let zero = [0, 1, 2].map(|k| axis[k].is_zero());
         if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
@@ -83,7 +84,8 @@ impl<S: Scalar> SymbolValues<S> {
         axis * axis.dot(axis).sqrt().recip()
     }
 
-    /// Inertia of a body about its input point, body axes. As written where it was written so.
+    /// Returns the inertia of a body about its input point, body axes; unchanged if it is specified
+    /// about that point.
     pub fn inertia_about_input(&self, body: &Body) -> Sym3<S> {
         match body.inertia.about {
             About::Input => self.tensor(body),
@@ -91,7 +93,7 @@ impl<S: Scalar> SymbolValues<S> {
         }
     }
 
-    /// Inertia of a body about `point`, body axes.
+    /// Returns the inertia of a body about `point`, body axes.
     pub fn inertia_about(&self, body: &Body, point: Vec3<S>) -> Sym3<S> {
         self.central_inertia(body) + self.inertia_of_com(body, point)
     }

@@ -1,46 +1,45 @@
-//! The working of the equations, kept in their order and under their names: what the generated
-//! code shows to a reader, and what a test can look into.
+//! A trace of named intermediate results, in the order of the equations. Generated code shows the
+//! names to readers; tests read the values.
 
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use std::collections::HashSet;
 
-/// A headed group of intermediate results.
+/// A titled group of intermediate results.
 #[derive(Clone, Debug)]
 pub struct TraceSection<S> {
-    /// A short name, different from that of all other sections of the trace: `elbow_riccati`. The
-    /// names of values without a name begin with it.
+    /// A short name, unique in the trace, such as `elbow_riccati`. Unnamed values get names that
+    /// begin with this prefix.
     pub prefix: String,
-    /// What is computed.
+    /// What the section computes.
     pub title: String,
-    /// Where the equations are from.
+    /// The source of the equations.
     pub source: &'static str,
-    /// Names and values, in the order in which they come up.
+    /// Names and values, in the order of computation.
     pub values: Vec<(String, S)>,
 }
 
 /// Intermediate results by section.
 #[derive(Clone, Debug, Default)]
 pub struct Trace<S> {
-    /// The sections in their order.
+    /// The sections, in order.
     pub sections: Vec<TraceSection<S>>,
     prefixes: HashSet<String>,
     silent: bool,
 }
 
 impl<S: Scalar> Trace<S> {
-    /// An empty trace.
+    /// Returns an empty trace.
     pub fn new() -> Self {
         Trace { sections: Vec::new(), prefixes: HashSet::new(), silent: false }
     }
 
-    /// A trace that keeps nothing, for equations whose working nobody reads: names take half of their
-    /// time.
+    /// Returns a trace that records nothing. Names cost half of the time of the equations.
     pub fn silent() -> Self {
         Trace { silent: true, ..Trace::new() }
     }
 
-    /// Begins a section. The prefix gets a number if an earlier section has the same one, as the
-    /// second of two sweeps over the same links has.
+    /// Begins a section. The prefix gets a number if an earlier section has the same prefix, for
+    /// example from another sweep over the same links.
     pub fn section(
         &mut self,
         prefix: impl Into<String>,
@@ -59,8 +58,7 @@ impl<S: Scalar> Trace<S> {
         });
     }
 
-    /// The prefix itself if it is free, otherwise the prefix with the first number that makes it
-    /// so.
+    /// Returns the prefix, with the first number that makes it unique if it is taken.
     fn unique(&mut self, prefix: String) -> String {
         let mut unique = prefix.clone();
         let mut number = 1;
@@ -71,14 +69,14 @@ impl<S: Scalar> Trace<S> {
         unique
     }
 
-    /// Names a number.
+    /// Names a value.
     pub fn number(&mut self, name: impl Into<String>, value: S) {
         if let Some(section) = self.sections.last_mut() {
             section.values.push((name.into(), value));
         }
     }
 
-    /// Names an entry, unless it vanishes in every state.
+    /// Names an entry, unless the entry vanishes in every state.
     fn entry(&mut self, name: &str, entry: &str, value: S) {
         if !self.silent && !value.vanishes() {
             self.number(format!("{name}_{entry}"), value);

@@ -1,28 +1,30 @@
-//! The forward product from the ground's end, `z_{1,I}` of [P, Eqs. (9), (10)], made general.
+//! The transfer matrix method: the forward product from the ground's end, `z_{1,I}` of [P, Eqs.
+//! (9), (10)], for general chains.
 //!
-//! Every connection point's `a` and `F` are carried as a known part and one column for each of six
-//! unknowns, the columns of `U_j … U_1` that the boundary leaves open. Where the paper's hinges
-//! look ahead to the next hinge ([P, Eqs. (25), (38)], which loses accuracy with the length of the
-//! chain), each hinge here uses its own condition `Sᵀ F = τ` at once to take out as many unknowns
-//! as its `β` bring in. The free end's `F = 0` is the boundary solve [P, Eq. (11)]; going back
-//! through the eliminations gives every `β`.
+//! `a` and `F` at a connection point are a known part plus one column for each of six unknowns: the
+//! columns of `U_j … U_1` that the boundary leaves open. The paper's hinges look ahead to the next
+//! hinge ([P, Eqs.
+//! (25), (38)]), which loses accuracy with the length of the chain. Here each hinge uses its own conditions
+//! `Sᵀ F = τ` at once, and eliminates as many unknowns as its accelerations `β` add. The condition
+//! `F = 0` at the free end is the boundary solve [P, Eq. (11)]. Back substitution through the
+//! eliminations gives all `β`.
 //!
-//! A closing hinge adds its reactions to the wrench at the far end. They are those of the Riccati
-//! transfer, whose equations for them are symmetric and show which are redundant; with them the
-//! boundary solve is that of a loaded end.
+//! A loop hinge adds its constraint forces to the wrench at the far end. These are the constraint
+//! forces of the Riccati transfer, whose equations for them are symmetric and reveal redundant
+//! constraints. With known constraint forces, the boundary solve is that of a loaded free end.
 //!
 //! # Notation
 //!
 //! All quantities belong to the point of a link, in its work axes. `F` is the wrench on the inboard
-//! side of the link's body, or behind it where a function says so.
+//! side of the link's part, or on the outboard side if a function says so.
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
 //! | `a`, `F` | [`StateColumn`] | a column of the product |
-//! | `x` | `unknowns` | what the columns belong to: at the start the six entries of `F` |
-//! | `s`, `τ` | [`BasisVector`], `efforts` | a free direction of the link's hinge, `sᵀ F + I β = τ` |
-//! | `β` | `betas` | the acceleration along `s`, the unknown that joins |
-//! | `v`, `γ`, `w` | [`Reflection`] | how a condition takes an unknown out |
+//! | `x` | `unknowns` | the unknowns that the columns belong to: at the start the six entries of `F` |
+//! | `s`, `τ` | [`BasisVector`], `efforts` | a degree of freedom of the link's hinge, `sᵀ F + H β = τ` with the rotor inertia `H` |
+//! | `β` | `betas` | the acceleration along `s`, the added unknown |
+//! | `v`, `γ`, `w` | [`Reflection`] | the elimination of an unknown by a condition |
 
 use super::Trace;
 use super::constraint_forces::ConstraintForces;
@@ -33,7 +35,7 @@ use super::sweep::{Flatten, PerLink};
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, Wrench};
 
-/// A column of the product: what belongs to one unknown, or the known part.
+/// A column of the product, which belongs to one unknown; or the known part.
 #[derive(Clone, Copy, Debug)]
 struct StateColumn<S> {
     a: Motion<S>,
@@ -56,16 +58,16 @@ struct TransferProduct<S> {
     columns: Vec<StateColumn<S>>,
 }
 
-/// A condition that was used, and what it settled.
+/// A condition that was used, and the unknown that it determines.
 struct UsedCondition<S> {
     reflection: Reflection<S>,
     determined: S,
 }
 
-/// The movement, with the reactions of a closing hinge that the Riccati transfer has found.
+/// Solves the problem, with the constraint forces that the Riccati transfer has found.
 ///
-/// Where nothing with inertia lies beyond a hinge the boundary solve has no answer, but rounding
-/// hides it: whoever calls has to look at the pivots of the Riccati transfer.
+/// If nothing outboard of a hinge has inertia, the boundary solve is singular, but rounding errors
+/// hide this. The caller must check the pivots of the Riccati transfer.
 pub fn solve<S: Scalar>(
     problem: &MotionProblem<S>,
     constraint_forces: ConstraintForces<S>,
@@ -107,7 +109,7 @@ pub fn solve<S: Scalar>(
     }
 }
 
-/// The links from the ground to the far end; a moving end at the far side is not among them.
+/// Returns the links from the ground to the far end, without the link of a moving end there.
 fn path<S: Scalar>(problem: &MotionProblem<S>) -> Vec<LinkId> {
     let last = match &problem.loop_constraints {
         Some(constraints) => constraints.loop_hinge.parent,
@@ -116,7 +118,7 @@ fn path<S: Scalar>(problem: &MotionProblem<S>) -> Vec<LinkId> {
     last.map_or(Vec::new(), |last| problem.tree.path_to(last))
 }
 
-/// `a` of all points, from the amounts of all columns.
+/// Returns `a` of all points, from the accelerations of all hinges.
 fn link_accelerations<S: Scalar>(
     problem: &MotionProblem<S>,
     basis_accelerations: &PerLink<Vec<S>>,
@@ -143,7 +145,8 @@ impl<S: Scalar> Flatten<S> for TransferProduct<S> {
 }
 
 impl<S: Scalar> TransferProduct<S> {
-    /// The start of the chain: its acceleration is known, its wrench is the unknown.
+    /// Returns the product at the start of the chain, where the acceleration is known and the
+    /// wrench is unknown.
     fn at_ground(problem: &MotionProblem<S>, first: LinkId) -> Self {
         let unknown = |&k: &usize| StateColumn { a: Motion::zero(), f: Wrench::unit(k) };
         TransferProduct {
@@ -155,7 +158,8 @@ impl<S: Scalar> TransferProduct<S> {
         }
     }
 
-    /// Over the body at `from` [P, Eqs. (17) to (19)] and into the axes of `to`.
+    /// Propagates the product over the part of `from` [P, Eqs. (17) to (19)] and into the axes of
+    /// `to`.
     fn across(self, problem: &MotionProblem<S>, from: LinkId, to: LinkId) -> Self {
         let hinge = &problem.links[to].hinge;
         let beyond = |f: Wrench<S>| f.shifted_from(-hinge.arm).rotated_back(&hinge.to_parent);
@@ -171,7 +175,8 @@ impl<S: Scalar> TransferProduct<S> {
         }
     }
 
-    /// The wrench behind the body at a link, about its point, in place of the one in front of it.
+    /// Returns the product with the wrench on the outboard side of a link's part, about the link's
+    /// point.
     fn outboard_of_body(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
         let taken =
@@ -183,7 +188,7 @@ impl<S: Scalar> TransferProduct<S> {
         }
     }
 
-    /// Uses all conditions of a hinge.
+    /// Eliminates the degrees of freedom of a hinge; each condition determines one unknown.
     fn cross_hinge(
         &mut self,
         problem: &MotionProblem<S>,
@@ -203,7 +208,7 @@ impl<S: Scalar> TransferProduct<S> {
         used
     }
 
-    /// Uses the condition `sᵀ F + I β = τ` and lets the direction `s` go, `β` being a new unknown.
+    /// Uses the condition `sᵀ F + H β = τ` to eliminate one unknown, with `β` as a new unknown.
     fn eliminate(&mut self, s: BasisVector<S>, tau: S, armature: S) -> UsedCondition<S> {
         let direction = s.motion();
         let mut coefficients: Vec<S> =
@@ -215,7 +220,8 @@ impl<S: Scalar> TransferProduct<S> {
         let leaving = reflection.apply(&mut self.columns);
         self.known = self.known.plus_scaled(leaving, determined);
         if let (BasisVector::Axis(axis), true) = (s, armature.vanishes()) {
-            // What the reflection has made zero but for rounding is zero.
+            // These entries are zero except for the rounding of the reflection; they are set to
+            // zero exactly.
             let set =
                 |f: Wrench<S>, value| Wrench::from_fn(|k| if k == axis { value } else { f.at(k) });
             self.known.f = set(self.known.f, tau);
@@ -228,15 +234,15 @@ impl<S: Scalar> TransferProduct<S> {
 
     fn record(&self, name: &str, trace: &mut Trace<S>) {
         for (number, part) in self.columns.iter().enumerate() {
-            trace.motion(&format!("{name}_a{number}"), part.a);
-            trace.wrench(&format!("{name}_f{number}"), part.f);
+            trace.motion(&format!("{name}_column{number}_acc"), part.a);
+            trace.wrench(&format!("{name}_column{number}_wrench"), part.f);
         }
-        trace.motion(&format!("{name}_a"), self.known.a);
-        trace.wrench(&format!("{name}_f"), self.known.f);
+        trace.motion(&format!("{name}_known_acc"), self.known.a);
+        trace.wrench(&format!("{name}_known_wrench"), self.known.f);
     }
 }
 
-/// The boundary conditions outboard of the last body, [P, Eq. (11)].
+/// Solves the boundary conditions outboard of the last body, [P, Eq. (11)].
 fn far_end<S: Scalar>(
     problem: &MotionProblem<S>,
     (product, last): (&TransferProduct<S>, LinkId),
@@ -284,7 +290,8 @@ fn boundary<S: Scalar>(mut rows: Vec<BoundaryRow<S>>) -> Vec<S> {
     steps.fold(Vec::new(), |y, (reflection, determined)| reflection.expand(y, *determined))
 }
 
-/// Back through the hinges: each gives up its `β` and gets its eliminated unknown.
+/// Substitutes back through the hinges: each gives its `β` and restores the unknown that it
+/// eliminated.
 fn recover<S: Scalar>(
     unknowns: Vec<S>,
     used: &[(LinkId, Vec<UsedCondition<S>>)],
@@ -293,7 +300,11 @@ fn recover<S: Scalar>(
 ) -> Vec<(LinkId, Vec<S>)> {
     let (_, amounts) = problem.tree.back_along(used, unknowns, |link, steps, mut unknowns| {
         let name = &problem.links[link].hinge.name;
-        trace.section(format!("{name}_back"), format!("Back to `{name}`"), "[P, Eqs. (8), (11)]");
+        trace.section(
+            format!("{name}_back"),
+            format!("Back substitution at `{name}`"),
+            "[P, Eqs. (8), (11)]",
+        );
         let mut betas = Vec::new();
         for step in steps.iter().rev() {
             unknowns = step.reflection.expand(unknowns, step.determined);

@@ -1,4 +1,4 @@
-//! A chain in numbers: somewhere around its start, put onto its closure, solved.
+//! A dry run of a chain with numbers: at its start and nearby, projected onto its loop constraints.
 
 use crate::equations::{
     self, Axes, EvalContext, ForwardDynamics, SweepResult, SymbolValues, Trace,
@@ -6,53 +6,54 @@ use crate::equations::{
 use crate::math::Structured;
 use crate::model::{Chain, ClosureRank, InputKind, Layout, SolutionMethod};
 
-/// Corrections that put a chain onto its closure; they converge quadratically where they do. After so
-/// many that bring it no nearer it is given up.
+/// The largest number of projections. They converge quadratically if they converge. After
+/// `PATIENCE` projections without progress the dry run gives up.
 const CORRECTIONS: usize = 100;
 const PATIENCE: usize = 5;
-/// A residual in m, rad, m/s and rad/s that counts as closed.
+/// The residual in m, rad, m/s and rad/s below which a chain counts as closed.
 const CLOSED: f64 = 1e-9;
 
 pub(super) type Number = Structured<f64>;
 
-/// The chain's numbers with parameters at their defaults. Rust constants, which are not known, are any
-/// numbers, others for every seed.
+/// Returns the values of the chain's symbols, with parameters at their defaults. Rust constants are
+/// not known while compiling; they get arbitrary values that depend on the seed.
 pub(super) fn numbers(chain: &Chain, seed: usize) -> SymbolValues<Number> {
     let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
     let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
     let mut numbers = SymbolValues { constants, ..SymbolValues::default() };
     let defaults = chain.parameters.iter().map(|parameter| {
-        // No default uses another parameter.
+        // A default never depends on another parameter.
         Number::variable(numbers.scalar(&parameter.default).value())
     });
     numbers.parameters = defaults.collect();
     numbers
 }
 
-/// Numbers from 0 to 1 as far from each other as they can be: multiples of the golden ratio.
+/// Returns evenly spread numbers from 0 to 1: multiples of the golden ratio.
 fn scattered(number: usize, seed: usize) -> f64 {
     (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
 }
 
-/// By how much a coordinate differs from the start: by nothing for the first seed, up to a half for others.
+/// Returns the deviation of a coordinate from the start: zero for the first seed, up to a half for
+/// others.
 fn around(number: usize, seed: usize) -> f64 {
     if seed == 0 { 0.0 } else { scattered(number, seed) - 0.5 }
 }
 
-/// Coordinates, and inputs with motions that are prescribed.
+/// Coordinates, and inputs with prescribed motions.
 pub(super) struct Configuration {
     pub q: Vec<Number>,
     pub inputs: Vec<Number>,
 }
 
-/// A chain without repeated parts and its numbers.
+/// A chain without repeated parts, with numbers.
 pub(super) struct DryRun {
     pub chain: Chain,
     pub layout: Layout,
-    /// The layout with welded bodies merged, which has the same hinges in the same places.
+    /// The layout with welded bodies merged. Its hinges have the same ids.
     pub merged: Layout,
     pub numbers: SymbolValues<Number>,
-    /// Whether what closes the chain holds what has no inertia otherwise.
+    /// Whether some bodies have inertia in all directions only because of the loop constraints.
     pub held_by_closure: bool,
 }
 
@@ -102,7 +103,8 @@ impl DryRun {
         )
     }
 
-    /// The coordinates put onto the closure; nothing if that leads nowhere.
+    /// Returns the configuration projected onto the loop constraints, or `None` without
+    /// convergence.
     pub fn closed(&self, pose: Configuration) -> Option<Configuration> {
         let (v, Configuration { mut q, inputs }) = (self.at_rest(), pose);
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
@@ -113,7 +115,7 @@ impl DryRun {
             if residual < CLOSED {
                 return Some(Configuration { q, inputs });
             }
-            // Written so that NaN is no progress.
+            // With NaN the condition is false, which counts as no progress.
             stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
             if stalled > PATIENCE {
                 return None;
@@ -124,12 +126,12 @@ impl DryRun {
         None
     }
 
-    /// The start with what is prescribed at rest, or somewhere around them.
+    /// Returns the start with prescribed motions at rest, or a configuration near it.
     pub fn pose(&self, numbers: &SymbolValues<Number>, seed: usize) -> Configuration {
         Configuration { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
     }
 
-    /// The start, or somewhere around it: every coordinate by up to a half.
+    /// Returns the start, or coordinates that differ from it by up to a half.
     fn coordinates(&self, numbers: &SymbolValues<Number>, seed: usize) -> Vec<Number> {
         let mut count = 0;
         let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
@@ -151,11 +153,12 @@ impl DryRun {
         vec![Number::variable(0.0); self.merged.dof_count()]
     }
 
-    /// Prescribed motions at rest in the zero position, or around it, and nothing that drives.
+    /// Returns prescribed motions at rest in the zero position or near it; all other inputs are
+    /// zero.
     fn inputs(&self, seed: usize) -> Vec<Number> {
         let total = self.merged.inputs.iter().map(|input| input.range.len());
         let mut inputs = vec![Number::variable(0.0); total.sum()];
-        // Numbered after the coordinates, whose deviations they should not repeat.
+        // Counted after the coordinates, so that the deviations differ.
         let mut count = self.merged.coordinates();
         for input in &self.merged.inputs {
             let InputKind::Motion(hinge) = input.what else { continue };

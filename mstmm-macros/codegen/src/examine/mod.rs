@@ -1,5 +1,5 @@
-//! What can be said of a chain by trying it out in numbers: whether every hinge moves something that
-//! has inertia, how many freedoms its closure leaves, and where it starts.
+//! Numerical checks of a chain: whether every hinge moves a body with inertia, how many degrees of
+//! freedom a closed chain has, and the pose at the start.
 
 mod dry_run;
 
@@ -10,69 +10,70 @@ use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Sou
 use dry_run::{Configuration, DryRun, Number, numbers};
 use proc_macro2::Ident;
 
-/// States tried besides the start. A hinge that moves nothing with inertia in all of them does so in
-/// every state.
+/// The number of states tried. A hinge with a zero pivot in all of them has a zero pivot in every
+/// state.
 const STATES: usize = 4;
 
-/// Chains of more elements are tried with repeated parts cut short, and drawn so.
+/// Chains with more elements are checked and drawn with shortened repeated parts.
 const ELEMENTS: usize = 100;
 const CUT_SHORT: usize = 3;
 
-/// The smallest relative pivot of an independent direction. In a pose that is closed within [`CLOSED`] a
-/// redundant direction leaves the square of that, and rounding: far less. A linkage whose smallest singular
-/// value is a thousandth of its largest leaves a millionth.
+/// The smallest relative pivot of an independent constraint. In a pose that is closed within
+/// [`CLOSED`], a redundant constraint leaves the square of that, and rounding errors: far less. A
+/// linkage whose smallest singular value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
 
-/// What was found. A chain of which nothing is known has the default.
+/// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
-    /// Whether bodies of a closed chain have inertia in all directions only by what holds them where
-    /// the chain closes.
+    /// Whether some bodies of a closed chain have inertia in all directions only because of the
+    /// loop constraints.
     pub held_by_closure: bool,
-    /// How many independent directions its closing hinge holds.
+    /// The number of independent loop constraints.
     pub closure_rank: ClosureRank,
-    /// How its closure holds a chain that is held at both ends, where a closed pose was found.
+    /// The mobility of a chain that is held at both ends, if a closed pose was found.
     pub mobility: Option<Mobility>,
-    /// The largest mass divided by the smallest, parameters at their defaults; nothing where Rust constants
-    /// decide.
+    /// The largest mass divided by the smallest, with parameters at their defaults; `None` if
+    /// masses are Rust constants.
     pub mass_ratio: Option<f64>,
-    /// The chain at its start, closed if it is a closed one; nothing where Rust constants decide.
+    /// The chain at its start, closed if it is a closed chain; `None` if it contains Rust
+    /// constants.
     pub start: Option<Drawing>,
 }
 
-/// How its closure holds a chain, in a pose like any other.
+/// The mobility of a closed chain in a general pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mobility {
-    /// Freedoms that are left.
+    /// Remaining degrees of freedom.
     pub freedoms: usize,
-    /// Directions that the closing hinge holds.
+    /// Constraints of the loop hinge.
     pub held: usize,
-    /// Those of them that follow from the others.
+    /// Constraints that depend on others.
     pub redundant: usize,
 }
 
-/// A chain as it stands.
+/// The geometry of a chain for a drawing.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// The chain, its repeated parts written out or cut short.
+    /// The chain, its repeated parts written out or shortened.
     pub chain: Chain,
     /// Positions of the first element's input, then of the outputs of all elements, in m.
     pub points: Vec<[f64; 3]>,
-    /// Positions of the elements' centres of mass, those of hinges at their inputs.
+    /// Positions of the elements' centres of mass in m; for hinges, of their inputs.
     pub centres: Vec<[f64; 3]>,
-    /// The axis that is nearest to the vertical; z where there is no gravity.
+    /// The axis closest to the vertical; z without gravity.
     pub up: usize,
-    /// Gravity in m/s², with parameters at their defaults; none where it is zero or an input.
+    /// Gravity in m/s², with parameters at their defaults; `None` if it is zero or an input.
     pub gravity: Option<[f64; 3]>,
 }
 
-/// Tries a chain out; what is wrong with it is reported.
+/// Checks a chain numerically, and reports its errors.
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
     let mut trial = DryRun::new(chain.unrolled(most));
     if !trial.merged.loop_hinges.is_empty() && !trial.idle_hinges().is_empty() {
-        // What closes the chain may hold what is loose.
+        // The loop constraints may hold bodies that have no inertia in some direction.
         trial.held_by_closure = true;
     }
     trial.refuse_idle_hinges(diagnostics);
@@ -83,7 +84,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     }
     let poses = trial.closed_poses();
     let mobility = if whole { trial.mobility(&poses) } else { None };
-    // A single pose with prescribed motions has them in their zero positions, which may be special.
+    // A single pose has prescribed motions at zero, which may be a singular position.
     let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
     if let (Some((rank, directions)), true) =
         (trial.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
@@ -99,7 +100,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
 }
 
 impl DryRun {
-    /// Hinges that in no state move anything with inertia along one of their freedoms.
+    /// Returns the hinges with a zero pivot in all states: what they move has no inertia.
     fn idle_hinges(&self) -> Vec<HingeId> {
         let mut idle: Option<Vec<HingeId>> = None;
         for seed in 0..STATES {
@@ -126,7 +127,7 @@ impl DryRun {
         idle.unwrap_or_default()
     }
 
-    /// The largest mass divided by the smallest.
+    /// Returns the largest mass divided by the smallest.
     fn mass_ratio(&self) -> f64 {
         let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Physical);
         let masses = bodies.map(|body| self.numbers.scalar(&body.mass).value());
@@ -136,13 +137,13 @@ impl DryRun {
         most / least
     }
 
-    /// Whether Rust constants of these numbers would be right ones.
+    /// Whether values of Rust constants fulfil the chain's assertions.
     fn fits(&self, numbers: &SymbolValues<Number>) -> bool {
         let mut conditions = self.chain.assertions.iter().flatten();
         conditions.all(|condition| condition.must.holds(numbers.scalar(&condition.value).value()))
     }
 
-    /// A chain needs inertia beyond every hinge, along all that the hinge lets free.
+    /// Reports hinges that move no inertia.
     fn refuse_idle_hinges(&self, diagnostics: &mut Diagnostics) {
         let mut reported: Vec<&Ident> = Vec::new();
         for hinge in self.idle_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
@@ -153,7 +154,7 @@ impl DryRun {
         }
     }
 
-    /// What to say of a hinge that moves nothing with inertia.
+    /// Returns the message for a hinge that moves no inertia.
     fn idle(&self, hinge: &Hinge) -> String {
         let name = &hinge.name;
         let floats = self.chain.bodies.iter().any(|body| body.name == *name);
@@ -173,7 +174,7 @@ impl DryRun {
         )
     }
 
-    /// A closed chain that cannot move has no dynamics, unless it is moved.
+    /// Reports a closed chain that cannot move, unless a motion is prescribed.
     fn refuse_rigid_chain(&self, diagnostics: &mut Diagnostics) {
         let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
         let driven = self.chain.hinges.iter().any(|hinge| hinge.drive == Drive::Prescribed);
@@ -186,14 +187,14 @@ impl DryRun {
         diagnostics.error(closing.name.span(), message);
     }
 
-    /// The start and poses next to it, for the start itself may be a special one, all put onto the
-    /// closure; none for a chain that is not closed.
+    /// Returns the start and poses near it, since the start may be a singular pose, all closed;
+    /// none for a chain that is not closed.
     fn closed_poses(&self) -> Vec<Configuration> {
         let seeds = if self.merged.loop_hinges.is_empty() { 0..0 } else { 0..STATES };
         seeds.filter_map(|seed| self.closed(self.pose(&self.numbers, seed))).collect()
     }
 
-    /// How the closure holds the chain in these poses.
+    /// Returns the mobility in these poses.
     fn mobility(&self, poses: &[Configuration]) -> Option<Mobility> {
         let closing = *self.merged.loop_hinges.first()?;
         let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
@@ -203,8 +204,8 @@ impl DryRun {
         Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
     }
 
-    /// Whether the rank of the closure is to be found when parameters are set. It is not if motions are
-    /// prescribed: their zero positions may be special.
+    /// Returns whether the rank of the loop constraints must be found when parameters are set. With
+    /// prescribed motions this is not done, since their zero positions may be singular.
     fn closure_rank_at_run_time(&self) -> ClosureRank {
         let chain = &self.chain;
         let is_prescribed = chain.hinges.iter().any(Hinge::is_prescribed);
@@ -218,8 +219,8 @@ impl DryRun {
         }
     }
 
-    /// How many directions of the closing hinge hold something anywhere in these poses, and how many
-    /// there are, those that a rotor holds among them.
+    /// Returns the largest rank of the loop constraints in these poses, and the number of
+    /// constraints, including those that rotors add.
     fn closure_rank(&self, poses: &[Configuration]) -> Option<(usize, usize)> {
         let ranks = poses.iter().filter_map(|pose| {
             let LoopReaction { pivots, undetermined, .. } =
@@ -230,7 +231,7 @@ impl DryRun {
         ranks.max()
     }
 
-    /// The start, closed if that goes from there or nearby.
+    /// Returns the geometry at the start, closed if possible.
     fn drawing(&self, poses: Vec<Configuration>) -> Drawing {
         let near = poses.into_iter().next();
         let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));

@@ -1,9 +1,9 @@
-//! Numbers with their derivative along one direction.
+//! Dual numbers: values with their derivative along one direction.
 
 use super::Scalar;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A number and its derivative.
+/// A value and its derivative.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S> {
     value: S,
@@ -11,17 +11,17 @@ pub struct Dual<S> {
 }
 
 impl<S: Scalar> Dual<S> {
-    /// A number that changes by `derivative`.
+    /// Returns a dual number.
     pub fn new(value: S, derivative: S) -> Self {
         Dual { value, derivative }
     }
 
-    /// The number.
+    /// Returns the value.
     pub fn value(self) -> S {
         self.value
     }
 
-    /// The derivative.
+    /// Returns the derivative.
     pub fn derivative(self) -> S {
         self.derivative
     }

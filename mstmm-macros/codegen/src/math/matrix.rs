@@ -1,10 +1,10 @@
-//! Matrices with three rows and columns; symmetric ones keep six entries and so stay symmetric
-//! whatever the rounding.
+//! Matrices with three rows and columns. Symmetric matrices store six entries, so rounding cannot
+//! make them asymmetric.
 
 use super::{Scalar, Vec3};
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
-/// A matrix by rows. As a rotation it turns components in one frame into those in another.
+/// A matrix by rows. As a rotation it maps components in one frame to components in another frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mat3<S>(pub [[S; 3]; 3]);
 
@@ -25,22 +25,22 @@ impl<S: Scalar> Mat3<S> {
         Mat3([[S::zero(); 3]; 3])
     }
 
-    /// The transpose; of a rotation, its inverse.
+    /// Returns the transpose; for a rotation, its inverse.
     pub fn transposed(self) -> Self {
         Mat3::from_fn(|i, j| self[j][i])
     }
 
-    /// Row `i`.
+    /// Returns row `i`.
     pub fn row(self, i: usize) -> Vec3<S> {
         Vec3(self[i])
     }
 
-    /// Column `j`.
+    /// Returns column `j`.
     pub fn column(self, j: usize) -> Vec3<S> {
         Vec3([self[0][j], self[1][j], self[2][j]])
     }
 
-    /// The turn by an angle with the given sine and cosine about axis `k`.
+    /// Returns the rotation about axis `k` by an angle with the given sine and cosine.
     pub fn axis_rotation(k: usize, (sin, cos): (S, S)) -> Self {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         Mat3::from_fn(|row, column| match (row, column) {
@@ -52,7 +52,7 @@ impl<S: Scalar> Mat3<S> {
         })
     }
 
-    /// The rotation matrix of the unit quaternion (w, x, y, z).
+    /// Returns the rotation matrix of the unit quaternion (w, x, y, z).
     pub fn from_quaternion([w, x, y, z]: [S; 4]) -> Self {
         let (x2, y2, z2) = (x + x, y + y, z + z);
         let (wx, wy, wz) = (w * x2, w * y2, w * z2);
@@ -66,25 +66,28 @@ impl<S: Scalar> Mat3<S> {
         ])
     }
 
-    /// Of a rotation, the cosine of its angle.
+    /// Returns the cosine of a rotation's angle.
     pub fn angle_cosine(self) -> S {
         (self[0][0] + self[1][1] + self[2][2] - S::one()) * S::number(0.5)
     }
 
-    /// Of a rotation, angle times axis. At half a turn the axis is lost, and the vector with it.
+    /// Returns angle times axis of a rotation. For a rotation by half a turn the axis is
+    /// undetermined, and the vector is zero.
     pub fn rotation_vector(self) -> Vec3<S> {
         let twice =
             Vec3([self[2][1] - self[1][2], self[0][2] - self[2][0], self[1][0] - self[0][1]]);
         let sine = twice * S::number(0.5);
-        // So small that it only keeps 0/0 away: angle and sine shrink alike.
+        // So small that it only avoids 0/0: angle and sine vanish together.
         let length = (sine.dot(sine) + S::number(1e-30)).sqrt();
         sine * (length.atan2(self.angle_cosine()) * length.recip())
     }
 
-    /// `self · inner · selfᵀ` of a rotation, which leaves any multiple of the identity as it is: as
-    /// much of it is taken out as the last entry of the diagonal is, always that one, since what
-    /// integrators make of quaternions is no rotation to the last digit. It leaves the trace as it
-    /// is, too, from which the first entry follows without the first row of `self · inner`.
+    /// Returns `self · inner · selfᵀ` of a rotation.
+    ///
+    /// A rotation does not change multiples of the identity. A multiple with the last diagonal
+    /// entry is therefore subtracted first and added at the end. It is always the same entry, since
+    /// quaternions of an integrator are not exactly of unit norm. A rotation does not change the
+    /// trace either, from which the first entry follows without the first row of `self · inner`.
     pub fn rotate_tensor(self, inner: Sym3<S>) -> Sym3<S> {
         let even = inner.at(2, 2);
         let along = |i: usize, j: usize| if i == j { even } else { S::zero() };
@@ -114,7 +117,7 @@ impl<S: Scalar> Mul for Mat3<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
-    /// The matrix `r̃` of `r × …`.
+    /// Returns the matrix `r̃` of `r × …`.
     pub fn skew(self) -> Mat3<S> {
         let ([x, y, z], o) = (self.0, S::zero());
         Mat3([[o, -z, y], [z, o, -x], [-y, x, o]])
@@ -160,11 +163,12 @@ impl<S: Scalar> Mul<S> for Mat3<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sym3<S>(pub [S; 6]);
 
-/// Where entry (i, j) of a symmetric matrix is kept.
+/// The index at which entry (i, j) of a symmetric matrix is stored.
 const ENTRY: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
 
 impl<S: Scalar> Sym3<S> {
-    /// The matrix with `entry(row, column)`, asked for on and above the diagonal only.
+    /// The matrix with `entry(row, column)`, which is called for the diagonal and the entries above
+    /// it.
     pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
         Sym3([entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)])
     }
@@ -174,22 +178,22 @@ impl<S: Scalar> Sym3<S> {
         Sym3::from_fn(|i, j| if i == j { entries[i] } else { S::zero() })
     }
 
-    /// Entry (i, j).
+    /// Returns entry (i, j).
     pub fn at(&self, i: usize, j: usize) -> S {
         self.0[ENTRY[i][j]]
     }
 
-    /// All nine entries.
+    /// Returns all nine entries.
     pub fn full(self) -> Mat3<S> {
         Mat3::from_fn(|i, j| self.at(i, j))
     }
 
-    /// Sum of the diagonal.
+    /// Returns the sum of the diagonal.
     pub fn trace(self) -> S {
         self.0[0] + self.0[1] + self.0[2]
     }
 
-    /// `Ω · J Ω` of an inertia, twice the energy of turning.
+    /// Returns `Ω · J Ω` of an inertia: twice the kinetic energy of a rotation.
     pub fn quadratic_form(self, omega: Vec3<S>) -> S {
         if self.is_diagonal() {
             let square = |k: usize| self.at(k, k) * (omega[k] * omega[k]);
@@ -198,9 +202,10 @@ impl<S: Scalar> Sym3<S> {
         omega.dot(self * omega)
     }
 
-    /// `Ω × J Ω` of an inertia, of [P, Eq. (20)] the gyroscopic part of `E_9`. About principal axes
-    /// these are Euler's equations: products of rates, which points of the body have in their
-    /// accelerations too, and differences of moments, which vanish where it is even about an axis.
+    /// Returns `Ω × J Ω` of an inertia, the gyroscopic part of `E_9` in [P, Eq. (20)]. For a
+    /// diagonal inertia these are Euler's equations: products of rates, which also occur in the
+    /// accelerations of the body's points, and differences of moments of inertia, which vanish for
+    /// a body of revolution.
     pub fn gyroscopic(self, omega: Vec3<S>) -> Vec3<S> {
         if self.is_diagonal() {
             return Vec3::from_fn(|k| {
@@ -215,7 +220,7 @@ impl<S: Scalar> Sym3<S> {
         [(0, 1), (0, 2), (1, 2)].iter().all(|&(i, j)| self.at(i, j).vanishes())
     }
 
-    /// The inertia, about the same axes, of mass `mass` at `r`: `m (rᵀr 1 − r rᵀ)`.
+    /// Returns the inertia of a mass at `r` about the origin: `m (rᵀr 1 − r rᵀ)`.
     pub fn of_point_mass(mass: S, r: Vec3<S>) -> Self {
         let moment = r * mass;
         let (x, y, z) = (moment[0] * r[0], moment[1] * r[1], moment[2] * r[2]);
@@ -248,7 +253,7 @@ impl<S: Scalar> Mul<Vec3<S>> for Sym3<S> {
 mod tests {
     use super::{Mat3, Sym3, Vec3};
 
-    /// Entries up to 20, a dozen roundings.
+    /// Entries are at most 20; a dozen roundings.
     fn assert_near(a: f64, b: f64) {
         assert!((a - b).abs() < 20.0 * 12.0 * f64::EPSILON, "{a} {b}");
     }
@@ -267,7 +272,7 @@ mod tests {
     #[test]
     fn a_turned_tensor_is_the_product_of_three_matrices() {
         let tensor = Sym3([1.0, 4.0, -3.0, 0.5, -1.5, 2.0]);
-        // All of a quaternion, and one of its components beside the cosine: a full matrix or not.
+        // A full matrix, and a matrix with zeros: a rotation about one axis.
         for quaternion in [[0.1, 0.5, 0.7, 0.5], [0.6, 0.0, 0.8, 0.0]] {
             let rotation = Mat3::from_quaternion(quaternion);
             let expected = rotation * tensor.full() * rotation.transposed();

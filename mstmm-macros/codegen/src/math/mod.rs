@@ -1,5 +1,5 @@
-//! Vectors, matrices and spatial quantities of three-dimensional mechanics, generic over the
-//! scalar: the compiler runs them on formulas, the tests on plain numbers.
+//! Vectors, matrices and spatial algebra, generic over the scalar: the compiler runs them on
+//! formulas, the tests on plain numbers.
 
 mod dual;
 mod matrix;

@@ -1,5 +1,5 @@
-//! Rotations, and those whose structure is known: a turn about one coordinate axis, then a fixed
-//! rotation.
+//! Rotations. A rotation of known structure is a rotation about one coordinate axis followed by a
+//! fixed rotation.
 
 use super::{Mat3, Scalar, Sym3, Vec3};
 
@@ -10,16 +10,17 @@ pub struct Rotation<S> {
     pub(super) steps: Option<(AxisRotation<S>, Mat3<S>)>,
 }
 
-/// How the part of a symmetric tensor in the plane of a turn is turned.
+/// The formula by which a symmetric tensor is rotated, for its entries in the plane of the
+/// rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaneFormula {
-    /// By four products.
+    /// The formula with the fewest operations: four products.
     FewestOperations,
-    /// By some operations more, of which fewer wait for others.
+    /// A formula with more operations and a shorter longest path through them.
     ShortestPath,
 }
 
-/// A turn about a coordinate axis.
+/// A rotation about a coordinate axis.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisRotation<S> {
     /// The axis.
@@ -31,24 +32,24 @@ pub struct AxisRotation<S> {
 }
 
 impl<S: Scalar> AxisRotation<S> {
-    /// The rotation matrix.
+    /// Returns the rotation matrix.
     pub fn matrix(&self) -> Mat3<S> {
         Mat3::axis_rotation(self.axis, (self.sin, self.cos))
     }
 
-    /// The turn by the opposite angle.
+    /// Returns the rotation by the opposite angle.
     pub fn inverse(self) -> Self {
         AxisRotation { sin: -self.sin, ..self }
     }
 
-    /// `R A Rᵀ`. In the plane of the turn, with `w = s (p − t) + c (q + r)`,
+    /// Returns `R A Rᵀ`. In the plane of the rotation, with `w = s (p − t) + c (q + r)`,
     ///
     /// ```text
     /// R [p q] Rᵀ = [p − s w  c w − r]
     ///   [r t]      [c w − q  t + s w]
     /// ```
     ///
-    /// which takes four products where the two matrix products take sixteen.
+    /// which costs four products, where two matrix products cost sixteen.
     pub fn rotate_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
         let AxisRotation { axis: k, sin, cos } = *self;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -65,13 +66,13 @@ impl<S: Scalar> AxisRotation<S> {
         turned
     }
 
-    /// The same of a symmetric tensor, `q = r`.
+    /// Returns `R A Rᵀ` of a symmetric tensor, `q = r`.
     pub(super) fn rotate_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
         let turned = self.rotate_tensor(tensor.full());
         Sym3::from_fn(|i, j| turned[i][j])
     }
 
-    /// The same of a symmetric tensor in the plane of the turn:
+    /// Returns `R A Rᵀ` of a symmetric tensor with entries in the plane of the rotation:
     ///
     /// ```text
     /// R [p q] Rᵀ = [p + t − w  (1 − 2 s²) q + s c (p − t)]   w = t + s² (p − t) + 2 s c q
@@ -94,32 +95,32 @@ impl<S: Scalar> AxisRotation<S> {
 }
 
 impl<S: Scalar> Rotation<S> {
-    /// A rotation of which nothing more is known.
+    /// A rotation of unknown structure.
     pub fn from_matrix(matrix: Mat3<S>) -> Self {
         Rotation { matrix, steps: None }
     }
 
-    /// `mount · turn`: tensors are turned in these two steps.
+    /// Returns the rotation `mount · step`. Tensors are rotated in these two steps.
     pub fn from_steps(mount: Mat3<S>, turn: AxisRotation<S>) -> Self {
         Rotation { matrix: mount * turn.matrix(), steps: Some((turn, mount)) }
     }
 
-    /// The axis of the first step, if there are two.
+    /// Returns the axis of the first step, for a rotation in two steps.
     pub fn axis(&self) -> Option<usize> {
         self.steps.map(|(turn, _)| turn.axis)
     }
 
-    /// The rotation matrix.
+    /// Returns the rotation matrix.
     pub fn matrix(&self) -> Mat3<S> {
         self.matrix
     }
 
-    /// A vector in the axes that the rotation leads to.
+    /// Rotates a vector.
     pub fn rotate(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix * vector
     }
 
-    /// A vector in the axes that the rotation starts from.
+    /// Rotates a vector by the inverse rotation.
     pub fn rotate_back(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix.transposed() * vector
     }
@@ -150,7 +151,7 @@ mod tests {
         let tensor = Sym3([1.0, -4.0, 3.0, 0.0, 0.0, 2.5]);
         let (sin, cos) = 2.3_f64.sin_cos();
         for axis in 0..3 {
-            // Only the entry across the plane of the turn is left.
+            // Only the entry across the plane of the rotation is left.
             let tensor = Sym3::from_fn(|i, j| {
                 if i == j || (i != axis && j != axis) {
                     tensor.at(i, i) - 0.5 * tensor.at(j, j)

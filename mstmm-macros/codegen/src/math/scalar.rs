@@ -1,9 +1,9 @@
-//! What the equations need of a number.
+//! The scalars that the equations are generic over.
 
 use super::RANK_ULPS;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A number or a formula. There is no ordering: equations cannot branch on values.
+/// A number or a formula. Scalars have no ordering: equations cannot branch on values.
 pub trait Scalar:
     Copy
     + Add<Output = Self>
@@ -12,7 +12,7 @@ pub trait Scalar:
     + Neg<Output = Self>
     + std::fmt::Debug
 {
-    /// A known number.
+    /// A known value.
     fn number(value: f64) -> Self;
     /// `1 / self`
     fn recip(self) -> Self;
@@ -22,12 +22,12 @@ pub trait Scalar:
     fn sin_cos(self) -> (Self, Self);
     /// The magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// The angle in rad of the point at `self` upwards and `x` to the right.
+    /// The angle in rad of the point with the ordinate `self` and the abscissa `x`.
     fn atan2(self, x: Self) -> Self;
-    /// `1 / self` where `self` exceeds what rounding can leave of `scale`, zero elsewhere.
+    /// `1 / self` if `self` exceeds the rounding error of `scale`, zero otherwise.
     fn recip_above(self, scale: Self) -> Self;
-    /// Whether it vanishes for every state of the chain. A plain number never says so, however
-    /// small it is: the structure of a computation must not depend on values.
+    /// Whether the value is zero in every state of the chain. It is false for every plain number,
+    /// since the structure of a computation must not depend on values.
     fn vanishes(self) -> bool;
 
     /// Zero.
@@ -45,17 +45,17 @@ pub trait Scalar:
         self.copysign(Self::one())
     }
 
-    /// `self` where it is positive, zero elsewhere.
+    /// `self` if it is positive, zero otherwise.
     fn positive_part(self) -> Self {
         (self + Scalar::abs(self)) * Self::number(0.5)
     }
 
-    /// One where `self` is positive or zero, zero elsewhere.
+    /// One if `self` is positive or zero, zero otherwise.
     fn is_positive(self) -> Self {
         self.sides().1
     }
 
-    /// One and zero where `self` is negative, zero and one elsewhere.
+    /// One and zero if `self` is negative, zero and one otherwise.
     fn sides(self) -> (Self, Self) {
         let half = Self::number(0.5);
         let side = Scalar::copysign(half, self);

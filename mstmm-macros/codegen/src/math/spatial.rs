@@ -1,19 +1,19 @@
-//! Spatial quantities: what a connection point does, what is transmitted there, and the inertia
-//! that links both.
+//! Spatial algebra: motions, wrenches and inertias. `shifted_*` changes the point, `rotated*` the
+//! axes.
 
 use super::{AxisRotation, Mat3, PlaneFormula, Rotation, Scalar, Sym3, Vec3};
 use std::ops::{Add, Sub};
 
-/// `a = [r̈; Ω̇]`, or a rate of the same shape.
+/// A spatial motion: an acceleration `a = [r̈; Ω̇]`, or a velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<S> {
-    /// Of the point.
+    /// Linear part, of the point.
     pub linear: Vec3<S>,
-    /// Of the frame.
+    /// Angular part, of the frame.
     pub angular: Vec3<S>,
 }
 
-/// `F = [q; n]`, power-conjugate to a motion; the method's internal moment is `m = −n`.
+/// A wrench `F = [q; n]`, dual to a motion. The internal moment of the paper is `m = −n`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<S> {
     /// Force.
@@ -28,32 +28,32 @@ impl<S: Scalar> Motion<S> {
         Motion { linear: Vec3::zero(), angular: Vec3::zero() }
     }
 
-    /// Along or about axis `k` of the six.
+    /// The unit motion along axis `k` (0 to 2) or about axis `k − 3`.
     pub fn unit(k: usize) -> Self {
         Motion::from_fn(|i| if i == k { S::one() } else { S::zero() })
     }
 
-    /// Entry `k` of the six: linear, then angular.
+    /// Returns entry `k` of the six: linear, then angular.
     pub fn at(&self, k: usize) -> S {
         if k < 3 { self.linear[k] } else { self.angular[k - 3] }
     }
 
-    /// From its six entries.
+    /// The motion with the entries `entry(k)`.
     pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
         Motion { linear: Vec3::from_fn(&entry), angular: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
-    /// The part linear in the motion of the law of rigid bodies: the motion of the point at `r`.
+    /// Returns the motion of the point at `r` of the same rigid body, without terms of velocities.
     pub fn shifted_to(self, r: Vec3<S>) -> Self {
         Motion { linear: self.linear + self.angular.cross(r), angular: self.angular }
     }
 
-    /// In the axes that `rotation` leads to.
+    /// Returns the motion in the axes that `rotation` leads to.
     pub fn rotated(self, rotation: Mat3<S>) -> Self {
         Motion { linear: rotation * self.linear, angular: rotation * self.angular }
     }
 
-    /// In the axes from which `rotation` leads here.
+    /// Returns the motion in the axes that `rotation` starts from.
     pub fn rotated_back(self, rotation: &Rotation<S>) -> Self {
         Motion {
             linear: rotation.rotate_back(self.linear),
@@ -61,17 +61,17 @@ impl<S: Scalar> Motion<S> {
         }
     }
 
-    /// With another number at a place.
+    /// Returns the motion with another entry `k`.
     pub fn with_entry(&self, k: usize, value: S) -> Self {
         Motion::from_fn(|i| if i == k { value } else { self.at(i) })
     }
 
-    /// Power of a wrench on this motion.
+    /// Returns the power of a wrench on this motion.
     pub fn power(self, wrench: Wrench<S>) -> S {
         self.linear.dot(wrench.force) + self.angular.dot(wrench.moment)
     }
 
-    /// Times a number.
+    /// Returns the motion times `factor`.
     pub fn scaled(self, factor: S) -> Self {
         Motion { linear: self.linear * factor, angular: self.angular * factor }
     }
@@ -83,32 +83,32 @@ impl<S: Scalar> Wrench<S> {
         Wrench { force: Vec3::zero(), moment: Vec3::zero() }
     }
 
-    /// Along or about axis `k` of the six.
+    /// The unit wrench along axis `k` (0 to 2) or about axis `k − 3`.
     pub fn unit(k: usize) -> Self {
         Wrench::from_fn(|i| if i == k { S::one() } else { S::zero() })
     }
 
-    /// Entry `k` of the six: force, then moment.
+    /// Returns entry `k` of the six: force, then moment.
     pub fn at(&self, k: usize) -> S {
         if k < 3 { self.force[k] } else { self.moment[k - 3] }
     }
 
-    /// From its six entries.
+    /// The wrench with the entries `entry(k)`.
     pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
         Wrench { force: Vec3::from_fn(&entry), moment: Vec3::from_fn(|k| entry(k + 3)) }
     }
 
-    /// The same load that acts at `r`, taken about the origin.
+    /// Returns the wrench about the origin, of a wrench about the point at `r`.
     pub fn shifted_from(self, r: Vec3<S>) -> Self {
         Wrench { force: self.force, moment: self.moment + r.cross(self.force) }
     }
 
-    /// In the axes that `rotation` leads to.
+    /// Returns the wrench in the axes that `rotation` leads to.
     pub fn rotated(self, rotation: &Rotation<S>) -> Self {
         Wrench { force: rotation.rotate(self.force), moment: rotation.rotate(self.moment) }
     }
 
-    /// In the axes from which `rotation` leads here.
+    /// Returns the wrench in the axes that `rotation` starts from.
     pub fn rotated_back(self, rotation: &Rotation<S>) -> Self {
         Wrench {
             force: rotation.rotate_back(self.force),
@@ -116,12 +116,12 @@ impl<S: Scalar> Wrench<S> {
         }
     }
 
-    /// The opposite load.
+    /// Returns the opposite wrench.
     pub fn reversed(self) -> Self {
         Wrench { force: -self.force, moment: -self.moment }
     }
 
-    /// Times a number.
+    /// Returns the wrench times `factor`.
     pub fn scaled(self, factor: S) -> Self {
         Wrench { force: self.force * factor, moment: self.moment * factor }
     }
@@ -155,7 +155,7 @@ impl<S: Scalar> Sub for Wrench<S> {
     }
 }
 
-/// A symmetric 6×6 matrix `A` of `F = A a`, by blocks.
+/// A spatial inertia: the symmetric 6×6 matrix `I` of `F = I a`, by blocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialInertia<S> {
     /// Force per linear acceleration.
@@ -167,9 +167,10 @@ pub struct SpatialInertia<S> {
 }
 
 impl<S: Scalar> SpatialInertia<S> {
-    /// Of a rigid body about a point: mass, first moment `m r_C` and inertia about there.
+    /// Returns the inertia of a rigid body about a point, from mass, first moment `m r_C` and
+    /// rotational inertia about that point.
     ///
-    /// `M = [[m 1, −m r̃_C], [m r̃_C, J]]`, the acceleration columns of [P, Eqs. (18), (19)].
+    /// `I = [[m 1, −m r̃_C], [m r̃_C, J]]`: the acceleration columns of [P, Eqs. (18), (19)].
     pub fn rigid(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> Self {
         SpatialInertia {
             linear: Sym3::diagonal([mass; 3]),
@@ -178,7 +179,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// Entry (i, j) of the six by six.
+    /// Returns entry (i, j) of the 6×6 matrix.
     pub fn at(&self, i: usize, j: usize) -> S {
         match (i < 3, j < 3) {
             (true, true) => self.linear.at(i, j),
@@ -188,7 +189,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// From its entries, asked for in the blocks' order (row ≤ column).
+    /// The inertia with `entry(i, j)`, which is called for the upper triangle of blocks.
     pub fn from_fn(entry: impl Fn(usize, usize) -> S) -> Self {
         SpatialInertia {
             linear: Sym3::from_fn(&entry),
@@ -197,7 +198,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// `A a`
+    /// Returns `I a`.
     pub fn times(&self, motion: Motion<S>) -> Wrench<S> {
         Wrench {
             force: self.linear * motion.linear + self.coupling * motion.angular,
@@ -205,7 +206,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// In the axes that `rotation` leads to.
+    /// Returns the inertia in the axes that `rotation` leads to.
     pub fn rotated(&self, rotation: Mat3<S>) -> Self {
         SpatialInertia {
             linear: rotation.rotate_tensor(self.linear),
@@ -214,7 +215,8 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// `Xᵀ A X` with `X = [[1, −r̃], [0, 1]]`: an inertia at `r`, seen from the origin.
+    /// Returns `Xᵀ I X` with `X = [[1, −r̃], [0, 1]]`: the inertia about the origin, of an inertia
+    /// about the point at `r`.
     pub fn shifted_from(&self, r: Vec3<S>) -> Self {
         let skew = r.skew();
         let coupling = self.coupling - self.linear.full() * skew;
@@ -228,7 +230,7 @@ impl<S: Scalar> SpatialInertia<S> {
 }
 
 impl<S: Scalar> Rotation<S> {
-    /// An inertia in the axes that the rotation leads to; the formula is that of the first of two
+    /// Returns an inertia in the axes that the rotation leads to. `formula` is for the first of two
     /// steps.
     pub fn rotate_inertia(
         &self,

@@ -1,10 +1,10 @@
-//! Plain numbers that know what the compiler would know.
+//! Plain numbers with the compiler's knowledge of constants.
 
 use super::Scalar;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A number with the knowledge whether it is the same for every state: zeros and ones that are
-/// known fold away as they do in formulas, so the equations take the same ways on plain numbers.
+/// A plain number that may be known while compiling. Known zeros and ones fold as in formulas, so
+/// the equations take the same branches with plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structured<S> {
     value: S,
@@ -12,12 +12,12 @@ pub struct Structured<S> {
 }
 
 impl<S: Scalar> Structured<S> {
-    /// A number that may be another one in another state.
+    /// A value that depends on the state.
     pub fn variable(value: S) -> Self {
         Structured { value, known: None }
     }
 
-    /// The plain number.
+    /// Returns the plain number.
     pub fn value(self) -> S {
         self.value
     }

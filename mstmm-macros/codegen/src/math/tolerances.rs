@@ -1,12 +1,12 @@
-//! From where on a number counts as zero, in units in the last place of its scale. Generated code
-//! judges by the same numbers, which the runtime has of its own.
+//! Tolerances for zero, in units in the last place of a scale. The runtime defines the same
+//! constants for generated code.
 
-/// A pivot: one that should vanish is the difference of a few rounded products of the size of its
-/// scale.
+/// For a pivot: a pivot that should vanish is the difference of a few rounded products of the size
+/// of its scale.
 pub const PIVOT_ULPS: f64 = 8.0;
 
-/// A number of which equations ask with [`Scalar::recip_above`](super::Scalar::recip_above): rows
-/// of a closure that hang on others leave the rounding of many operations.
+/// For [`Scalar::recip_above`](super::Scalar::recip_above): rows of dependent constraints contain
+/// the rounding errors of many operations.
 pub const RANK_ULPS: f64 = 1024.0;
 
 #[cfg(test)]

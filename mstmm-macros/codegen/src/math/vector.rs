@@ -3,7 +3,7 @@
 use super::Scalar;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
-/// A vector; the context says in which axes.
+/// A vector; the context names its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vec3<S>(pub [S; 3]);
 
@@ -15,7 +15,7 @@ impl<S: Scalar> Vec3<S> {
 
     /// The vector with `entry(axis)`.
     pub fn from_fn(entry: impl Fn(usize) -> S) -> Self {
-        // Not by `map`, which takes several times as long unoptimised, as macros are built.
+        // `map` costs several times as much without optimisation, as macros are built.
         Vec3([entry(0), entry(1), entry(2)])
     }
 
@@ -24,24 +24,25 @@ impl<S: Scalar> Vec3<S> {
         Vec3::from_fn(|i| if i == k { S::one() } else { S::zero() })
     }
 
-    /// `self · other`
+    /// Returns `self · other`.
     pub fn dot(self, other: Self) -> S {
         self[0] * other[0] + self[1] * other[1] + self[2] * other[2]
     }
 
-    /// `self × other`
+    /// Returns `self × other`.
     pub fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Vec3([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
-    /// `Ω̃ Ω̃ r`, the centripetal acceleration of a point at `self` from a point at rest in a body
-    /// that turns with `omega` [P, Eq. (13)]; where its velocity `Ω̃ r` is asked for as well.
+    /// Returns the centripetal acceleration `Ω̃ Ω̃ r` of a point at `self`, relative to the origin
+    /// of a body that rotates with `omega` [P, Eq. (13)]. This form shares `Ω̃ r` with the point's
+    /// velocity.
     pub fn centripetal(self, omega: Self) -> Self {
         omega.cross(omega.cross(self))
     }
 
-    /// The same by products of rates, which all points of a body share.
+    /// Returns the same by products of rates, which all points of a body share.
     pub fn centripetal_by_products(self, omega: Self) -> Self {
         let product = |i: usize, j: usize| omega[i] * omega[j];
         Vec3::from_fn(|k| {

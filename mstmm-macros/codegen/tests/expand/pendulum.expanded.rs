@@ -141,7 +141,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Kinematics of `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Riccati transfer over `joint` | F = I a + p, \[P, Eqs. (18), (19), (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 2 | 1 | 0 | 0 | 0 |
     ///
@@ -163,13 +163,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         known_joint_gain_fy_] = *self.changed_by_setters.derived();
         let [[joint_angle_]] = state_.q.data.0;
         let joint_input0_ = inputs_.joint;
-        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Kinematics of `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         /// Riccati transfer over `joint`, F = I a + p, [P, Eqs. (18), (19), (25), (35)]: 1 mul, 0 add, 0 reciprocal.
-        let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
+        let joint_u_over_d_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 2 mul, 1 add, 0 reciprocal.
         let t0_ = cos_joint_angle_ * known_joint_gain_fy_;
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_rest_);
+        let joint_acc_ang_z_ = T::mul_neg_add(c_(9.8), t0_, joint_u_over_d_);
         if !::mstmm::generated::pivots_ok::<
             T,
             _,
@@ -177,7 +177,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         >(
             [known_rod_inertia_yy_],
             [known_joint_d_scale_],
-            [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
+            [state_.t, state_.v.data.0[0][0], joint_acc_ang_z_],
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::pivot_error::<
@@ -186,7 +186,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]),
             );
         }
-        accelerations_.data.0 = [[joint_a_ang_z_]];
+        accelerations_.data.0 = [[joint_acc_ang_z_]];
         ::core::result::Result::Ok(())
     }
     /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
@@ -195,12 +195,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Kinematics of `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Loads on `rod` | \[P, Eqs. (14), (15), (20)\] | 2 | 0 | 0 | 0 | 0 |
     /// | Riccati transfer over `joint` | F = I a + p, \[P, Eqs. (18), (19), (25), (35)\] | 1 | 0 | 0 | 0 | 0 |
     /// | Acceleration of `joint` | \[P, Eqs. (13), (36), (44)\] | 4 | 1 | 0 | 0 | 0 |
     /// | Results |  | 4 | 0 | 0 | 0 | 0 |
-    /// | Load on `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
+    /// | Wrench in `joint` | \[P, Eqs. (18), (19)\] | 3 | 2 | 0 | 0 | 0 |
     ///
     /// # Errors
     ///
@@ -225,7 +225,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         at_.efforts.data.0 = [[joint_input0_]];
         *n7_5_ = T::negate(joint_input0_);
         *n7_20_ = joint_rate_;
-        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Kinematics of `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [cos_joint_angle_]) = T::sin_cos([joint_angle_]);
         *n7_7_ = sin_joint_angle_;
         *n7_9_ = T::negate(sin_joint_angle_);
@@ -235,24 +235,24 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Loads on `rod`, [P, Eqs. (14), (15), (20)]: 2 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;
         /// Riccati transfer over `joint`, F = I a + p, [P, Eqs. (18), (19), (25), (35)]: 1 mul, 0 add, 0 reciprocal.
-        let joint_rest_ = joint_input0_ * known_joint_d_inverse_;
+        let joint_u_over_d_ = joint_input0_ * known_joint_d_inverse_;
         /// Acceleration of `joint`, [P, Eqs. (13), (36), (44)]: 4 mul, 1 add, 0 reciprocal.
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
-        let joint_a_lin_y_ = cos_joint_angle_ * c_(9.8);
-        *n7_22_ = joint_a_lin_y_;
-        ::mstmm::generated::store_fence();
+        let joint_acc_lin_y_ = cos_joint_angle_ * c_(9.8);
+        *n7_22_ = joint_acc_lin_y_;
+        ::mstmm::generated::written();
         /// Loads on `rod`.
-        let minus_rod_velocity_load_fx_ = known_rod_first_moment_x_ * t0_;
+        let minus_rod_velocity_wrench_fx_ = known_rod_first_moment_x_ * t0_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
         let t3_ = known_rod_inertia_yy_ * t0_;
         /// Acceleration of `joint`.
-        let joint_a_lin_x_ = sin_joint_angle_ * c_(9.8);
-        *n7_21_ = joint_a_lin_x_;
-        ::mstmm::generated::store_fence();
+        let joint_acc_lin_x_ = sin_joint_angle_ * c_(9.8);
+        *n7_21_ = joint_acc_lin_x_;
+        ::mstmm::generated::written();
         /// Results.
         let t5_ = sin_joint_angle_ * known_rod_first_moment_x_;
         /// Acceleration of `joint`.
-        let joint_a_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_rest_);
+        let joint_acc_ang_z_ = T::mul_neg_add(c_(9.8), t1_, joint_u_over_d_);
         if !::mstmm::generated::pivots_ok::<
             T,
             _,
@@ -260,7 +260,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         >(
             [known_rod_inertia_yy_],
             [known_joint_d_scale_],
-            [state_.t, state_.v.data.0[0][0], joint_a_ang_z_],
+            [state_.t, state_.v.data.0[0][0], joint_acc_ang_z_],
         ) {
             let error_ = ::mstmm::generated::pivot_error::<
                 T,
@@ -269,30 +269,34 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             ::mstmm::generated::reset(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
-        at_.accelerations.data.0 = [[joint_a_ang_z_]];
-        *n7_26_ = joint_a_ang_z_;
-        ::mstmm::generated::store_fence();
-        /// Load on `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
-        let t2_ = known_rod_mass_ * joint_a_lin_y_;
+        at_.accelerations.data.0 = [[joint_acc_ang_z_]];
+        *n7_26_ = joint_acc_ang_z_;
+        ::mstmm::generated::written();
+        /// Wrench in `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
+        let t2_ = known_rod_mass_ * joint_acc_lin_y_;
         /// Results.
         let t4_ = c_(0.5) * t3_;
         at_.kinetic_energy = t4_;
-        ::mstmm::generated::store_fence();
-        /// Load on `joint`.
-        let minus_joint_load_fx_ = T::mul_neg_add(
+        ::mstmm::generated::written();
+        /// Wrench in `joint`.
+        let minus_joint_wrench_fx_ = T::mul_neg_add(
             known_rod_mass_,
-            joint_a_lin_x_,
-            minus_rod_velocity_load_fx_,
+            joint_acc_lin_x_,
+            minus_rod_velocity_wrench_fx_,
         );
-        *n7_15_ = T::negate(minus_joint_load_fx_);
-        ::mstmm::generated::store_fence();
+        *n7_15_ = T::negate(minus_joint_wrench_fx_);
+        ::mstmm::generated::written();
         /// Results.
         let t6_ = c_(9.8) * t5_;
         at_.potential_energy = t6_;
-        ::mstmm::generated::store_fence();
-        /// Load on `joint`.
-        let joint_load_fy_ = T::mul_add(known_rod_first_moment_x_, joint_a_ang_z_, t2_);
-        *n7_16_ = joint_load_fy_;
+        ::mstmm::generated::written();
+        /// Wrench in `joint`.
+        let joint_wrench_fy_ = T::mul_add(
+            known_rod_first_moment_x_,
+            joint_acc_ang_z_,
+            t2_,
+        );
+        *n7_16_ = joint_wrench_fy_;
         ::core::result::Result::Ok(())
     }
     /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
@@ -302,7 +306,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// | section | equations | mul | add | reciprocal | square root | sin/cos |
     /// |---|---|---|---|---|---|---|
-    /// | Motion across `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
+    /// | Kinematics of `joint` | \[P, Eqs. (1), (13), (36)\] | 0 | 0 | 0 | 0 | 1 |
     /// | Results |  | 5 | 0 | 0 | 0 | 0 |
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[must_use]
@@ -313,7 +317,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             .derived();
         let [[joint_angle_]] = state_.q.data.0;
         let [[joint_rate_]] = state_.v.data.0;
-        /// Motion across `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
+        /// Kinematics of `joint`, [P, Eqs. (1), (13), (36)]: 0 mul, 0 add, 0 reciprocal, 1 sin/cos.
         let ([sin_joint_angle_], [_]) = T::sin_cos([joint_angle_]);
         /// Results: 5 mul, 0 add, 0 reciprocal.
         let t0_ = joint_rate_ * joint_rate_;

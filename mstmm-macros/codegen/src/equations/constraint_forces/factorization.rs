@@ -1,30 +1,31 @@
-//! Rows of a closure, eliminated in the order of what is left of them: equation (1) of [`super`].
+//! Factorisation of the constraint rows in the order of their remaining norms: equation (1) of
+//! [`super`].
 
 use super::super::hinge::dot;
 use super::{ConstraintSystem, Rank, plus_scaled};
 use crate::math::{RANK_ULPS, Scalar};
 
-/// What a step found.
+/// One step of the factorisation.
 pub(super) struct FactorStep<S> {
-    /// `e_i`
+    /// The unit vector `e_i` of the selected row.
     pub(super) selector: Vec<S>,
-    /// `l_k`: one in the row of this step, zero in those of earlier steps, and zero where the pivot
-    /// is rounding.
+    /// `l_k`: one in the selected row, zero in the rows of earlier steps, and zero if the pivot is
+    /// a rounding error.
     pub(super) column: Vec<S>,
-    /// `d_k`
+    /// The pivot `d_k`.
     pub(super) pivot: S,
     /// `d_k / s_i`
     pub(super) relative_pivot: S,
-    /// `1 / d_k`, zero where the pivot is rounding.
+    /// `1 / d_k`, zero if the pivot is a rounding error.
     pub(super) inverse: S,
 }
 
-/// A row of `J`, twice: the product of two rows is that of the left one's entries with the right
-/// one's.
+/// A row of `J` in two forms. The product of two rows multiplies the left form of one with the
+/// right form of the other.
 #[derive(Clone)]
 struct JacobianRow<S> {
     left: Vec<S>,
-    /// The same, with the part of `Λ` between the rows multiplied in.
+    /// The left form, multiplied by the part of `Λ` between the rows.
     right: Vec<S>,
 }
 
@@ -43,16 +44,16 @@ impl<S: Scalar> JacobianRow<S> {
     }
 }
 
-/// What earlier steps have left.
+/// The rows that remain after the steps so far.
 pub(super) struct RemainingRows<S> {
     rows: Vec<JacobianRow<S>>,
-    /// One for each row that no step has chosen yet.
+    /// One for each row that no step has selected; zero for the others.
     pub(super) unused: Vec<S>,
-    /// Those that do not vanish in every state; no step chooses another one.
+    /// The rows that do not vanish in every state. Only these rows are selected.
     pub(super) candidates: Vec<usize>,
 }
 
-/// Equation (1), step by step.
+/// Returns the steps of equation (1), and the rows that remain.
 pub(super) fn factorize<S: Scalar>(
     system: &ConstraintSystem<S>,
 ) -> (Vec<FactorStep<S>>, RemainingRows<S>) {
@@ -92,39 +93,39 @@ impl<S: Scalar> RemainingRows<S> {
         RemainingRows { rows, unused: vec![S::one(); count], candidates }
     }
 
-    /// The row of a step in the order of rows.
+    /// Returns the selector of a row by the number of its step.
     fn in_order(&self, step: usize) -> Vec<S> {
         let weight = |k| if k == step { S::one() } else { S::zero() };
         self.scatter((0..self.candidates.len()).map(weight).collect())
     }
 
-    /// The only row that is open.
+    /// Returns the selector of the only unused row.
     fn only_unused(&self) -> Vec<S> {
         self.scatter(self.candidates.iter().map(|&row| self.unused[row]).collect())
     }
 
-    /// The open row of which most is left.
+    /// Returns the selector of the unused row with the largest remaining norm.
     fn largest(&self, scales: &[S]) -> Vec<S> {
         self.scatter(largest(&self.scores(scales)).0)
     }
 
-    /// How much is left of that row.
+    /// Returns the largest remaining relative norm.
     pub(super) fn excess(&self, system: &ConstraintSystem<S>) -> S {
         largest(&self.scores(&system.scales)).1
     }
 
-    /// How much is left of each row that may be chosen.
+    /// Returns the remaining relative norm of each candidate.
     fn scores(&self, scales: &[S]) -> Vec<S> {
         let score = |&k: &usize| {
             let (row, open) = (&self.rows[k], self.unused[k]);
-            // Rows that are not open have the lowest scores.
+            // Used rows have the lowest scores.
             let closed = S::one() - open;
             row.product(row) * scales[k].recip_above(S::zero()) * open - closed
         };
         self.candidates.iter().map(score).collect()
     }
 
-    /// Weights of the rows that may be chosen, as those of all rows.
+    /// Returns weights of the candidates as weights of all rows.
     pub(super) fn scatter(&self, weights: Vec<S>) -> Vec<S> {
         let mut all = vec![S::zero(); self.unused.len()];
         for (&row, weight) in self.candidates.iter().zip(weights) {
@@ -157,12 +158,13 @@ impl<S: Scalar> RemainingRows<S> {
 }
 
 impl<S: Scalar> ConstraintSystem<S> {
-    /// Whether no row depends on others but in singular poses: then any order of rows will do.
+    /// Whether rows depend on others in singular poses only. Then any order of the rows is
+    /// possible.
     pub(super) fn is_regular(&self, left: &RemainingRows<S>) -> bool {
         matches!(self.rank.rank, Rank::Known(rank) if rank >= left.candidates.len())
     }
 
-    /// A weight for each step that may be taken: one, or zero beyond the rank.
+    /// Returns a weight for each possible step: one, or zero beyond the rank.
     pub(super) fn steps(&self, left: &RemainingRows<S>) -> Vec<S> {
         let most = left.candidates.len();
         match &self.rank.rank {
@@ -171,9 +173,9 @@ impl<S: Scalar> ConstraintSystem<S> {
         }
     }
 
-    /// `1 / d` of a square, or zero where a direction is not determined: by a pivot of less than a
-    /// unit in the last place of `s_i`, rounding of `b` would make larger reactions than the loads
-    /// do.
+    /// Returns `1 / d` of a square, or zero if the direction is undetermined. With a pivot of less
+    /// than a unit in the last place of `s_i`, the rounding error of `b` would cause larger
+    /// constraint forces than the loads do.
     fn guarded_reciprocal(&self, square: S, scale: S) -> S {
         let is_kept = self.repeated.iter().flatten().all(|x| x.vanishes());
         let units = if is_kept { 1.0 } else { self.rank.rounding };
@@ -181,7 +183,7 @@ impl<S: Scalar> ConstraintSystem<S> {
     }
 }
 
-/// Weights that are one at the largest of the numbers and zero elsewhere, and that number.
+/// Returns weights that are one at the largest value and zero elsewhere, and that value.
 fn largest<S: Scalar>(numbers: &[S]) -> (Vec<S>, S) {
     let mut weights = vec![S::one()];
     let mut best = numbers[0];

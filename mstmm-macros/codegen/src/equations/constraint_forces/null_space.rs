@@ -1,11 +1,12 @@
-//! Reactions that make no difference to the motion: equation (4) of [`super`].
+//! Constraint forces that do not change the motion: equation (4) of [`super`].
 
 use super::super::hinge::dot;
 use super::factorization::{FactorStep, RemainingRows};
 use super::{plus_scaled, project_out};
 use crate::math::Scalar;
 
-/// Equation (4): a direction for each row, zero where the pivot of its step is none of rounding.
+/// Returns the null directions of equation (4), one for each row; zero if the pivot of its step is
+/// not a rounding error.
 pub(super) fn null_directions<S: Scalar>(
     pivots: &[FactorStep<S>],
     left: RemainingRows<S>,
@@ -30,7 +31,7 @@ pub(super) fn null_directions<S: Scalar>(
     directions
 }
 
-/// `start` and what it takes along the rows that steps have chosen for `l_kᵀ x = 0`.
+/// Returns `start` plus the combination of selected rows for which `l_kᵀ x = 0`.
 fn null_direction<S: Scalar>(pivots: &[FactorStep<S>], start: Vec<S>) -> Vec<S> {
     pivots.iter().rev().fold(start, |x, pivot| {
         let step = -dot(&pivot.column, &x);
@@ -38,7 +39,7 @@ fn null_direction<S: Scalar>(pivots: &[FactorStep<S>], start: Vec<S>) -> Vec<S> 
     })
 }
 
-/// Of weights that are zero or one, the first that is one.
+/// Returns the first weight that is one, of weights that are zero or one.
 fn first<S: Scalar>(weights: &[S]) -> Vec<S> {
     let mut found = S::zero();
     let one = |&weight: &S| {
@@ -49,7 +50,7 @@ fn first<S: Scalar>(weights: &[S]) -> Vec<S> {
     weights.iter().map(one).collect()
 }
 
-/// The directions as unit vectors across each other; zero stays zero.
+/// Returns the directions orthonormalised; zero stays zero.
 pub(super) fn orthonormal<S: Scalar>(directions: Vec<Vec<S>>) -> Vec<Vec<S>> {
     let mut units: Vec<Vec<S>> = Vec::new();
     for direction in directions {

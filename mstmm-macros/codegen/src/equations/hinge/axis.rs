@@ -1,21 +1,21 @@
-//! Axes of hinges: frames aligned with them, and turns about them.
+//! Axes of hinges: aligned frames, and rotations about an axis.
 
 use crate::equations::SymbolValues;
 use crate::math::{AxisRotation, Mat3, Scalar, Vec3};
 use crate::model::Value;
 
-/// Axes one of which is a hinge's.
+/// Axes of which one lies along the hinge's axis.
 pub struct Alignment<S> {
-    /// Which of the aligned axes lies along the hinge's.
+    /// The index of that axis.
     pub axis: usize,
-    /// Whether it points the opposite way.
+    /// Whether the hinge's axis points in the negative direction of that axis.
     pub is_reversed: bool,
-    /// Aligned axes to those of the hinge's frames.
+    /// Rotation from aligned axes to the axes of the hinge's frames.
     pub rotation: Mat3<S>,
 }
 
 impl<S: Scalar> Alignment<S> {
-    /// Axes aligned with `axis`; the frame's own where it is one of them.
+    /// Returns axes aligned with `axis`: the frame's own axes if `axis` is one of them.
     pub fn with(axis: &[Value; 3], numbers: &SymbolValues<S>) -> Self {
         let zero = [0, 1, 2].map(|k| axis[k].is_zero());
         if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
@@ -23,26 +23,27 @@ impl<S: Scalar> Alignment<S> {
         {
             return Alignment { axis: k, is_reversed: length < 0.0, rotation: Mat3::identity() };
         }
-        // An axis in a coordinate plane: turning the plane leaves most of the matrix zero.
+        // For an axis in a coordinate plane, a rotation about the plane's normal keeps most of the
+        // matrix zero.
         let k = (0..3).find(|&k| !zero[k] && zero[(k + 2) % 3]).unwrap_or(2);
         let unit = numbers.unit(axis);
         Alignment { axis: k, is_reversed: false, rotation: basis_along(k, unit) }
     }
 
-    /// The hinge's axis in aligned axes.
+    /// Returns the hinge's axis in aligned axes.
     pub fn direction(&self) -> Vec3<S> {
         let unit = Vec3::unit(self.axis);
         if self.is_reversed { -unit } else { unit }
     }
 
-    /// A turn about the hinge's axis.
+    /// Returns a rotation about the hinge's axis.
     pub fn rotation_by(&self, angle: S) -> AxisRotation<S> {
         let (sin, cos) = angle.sin_cos();
         AxisRotation { axis: self.axis, sin: if self.is_reversed { -sin } else { sin }, cos }
     }
 }
 
-/// A rotation whose column `k` is `unit`, by a formula without a branch or a singular place:
+/// Returns a rotation whose column `k` is `unit`, by a formula without branches and singularities:
 /// T. Duff et al., Building an orthonormal basis, revisited, J. Computer Graphics Techniques 2017.
 fn basis_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -64,8 +65,8 @@ fn basis_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
     rotation
 }
 
-/// The turn by an angle with the given sine and cosine about a unit vector:
-/// `cos 1 + sin ẽ + (1 − cos) e eᵀ`.
+/// Returns the rotation about a unit vector by an angle with the given sine and cosine: `cos 1 +
+/// sin ẽ + (1 − cos) e eᵀ`.
 pub fn rotation_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
     let scaled = unit * (S::one() - cos);
     let outer = Mat3::from_fn(|i, j| scaled[i] * unit[j]);

@@ -1,7 +1,8 @@
-//! Ball and socket: turns in every way [P, Sect. 3.2].
+//! Ball (spherical joint): rotates about all axes [P, Sect. 3.2].
 //!
-//! Coordinates: the unit quaternion (w, x, y, z) that turns outboard components into inboard ones.
-//! Rates: the angular velocity of the outboard frame against the inboard one, outboard axes.
+//! Coordinates: the unit quaternion (w, x, y, z) that rotates outboard components into inboard
+//! components. Rates: the angular velocity of the outboard frame relative to the inboard frame,
+//! outboard axes, in rad/s.
 
 use super::law::{HingeLaw, identity_alignment};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
@@ -13,8 +14,8 @@ use crate::math::{Mat3, Scalar, Vec3};
 pub struct Ball;
 
 impl<S: Scalar> HingeLaw<S> for Ball {
-    /// A turn by the quaternion, free about all axes: the moment vanishes, as [P, Eq. (25)] has it
-    /// for the next hinge.
+    /// A rotation by the quaternion, free about all axes. The moment vanishes, as [P, Eq. (25)]
+    /// states for the next hinge.
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
             rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
@@ -37,7 +38,7 @@ impl<S: Scalar> HingeLaw<S> for Ball {
         rates
     }
 
-    /// The quaternion divided by its length.
+    /// The quaternion divided by its norm.
     fn normalized(&self, q: &[S]) -> Vec<S> {
         let square = q.iter().fold(S::zero(), |sum, &x| sum + x * x);
         let scale = square.sqrt().recip();
@@ -49,19 +50,19 @@ impl<S: Scalar> HingeLaw<S> for Ball {
     }
 }
 
-/// The turns about the three outboard axes.
+/// Returns the rotations about the three outboard axes.
 pub fn rotations<S: Scalar>() -> Vec<SubspaceColumn<S>> {
     (0..3).map(|k| SubspaceColumn::rotation(Vec3::unit(k)).outboard()).collect()
 }
 
-/// The rotation vector that leads from the quaternion `rest` to `q`, outboard axes: of the two that
-/// do, the shorter one.
+/// Returns the rotation vector from the quaternion `rest` to `q`, outboard axes: the shorter of the
+/// two possible ones.
 pub fn rotation_vector<S: Scalar>(rest: &[S], q: &[S]) -> Vec3<S> {
     let (w0, r0) = (rest[0], Vec3([rest[1], rest[2], rest[3]]));
     let (w1, r1) = (q[0], Vec3([q[1], q[2], q[3]]));
     let cos = w0 * w1 + r0.dot(r1);
     let sin = r1 * w0 - r0 * w1 - r0.cross(r1);
-    // So small that it only keeps 0/0 away: angle and sine shrink alike.
+    // So small that it only avoids 0/0: angle and sine vanish together.
     let length = (sin.dot(sin) + S::number(1e-30)).sqrt();
     let half = length.atan2(cos.abs());
     sin * (S::number(2.0).copysign(cos) * half * length.recip())

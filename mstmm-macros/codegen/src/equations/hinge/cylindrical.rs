@@ -1,6 +1,6 @@
-//! Cylindrical: shifts along an axis fixed on both sides and turns about it.
+//! Cylindrical: translates along an axis that is fixed on both sides, and rotates about it.
 //!
-//! Coordinates: the way in m as for a slider, the angle in rad as for a pin.
+//! Coordinates: the displacement in m as for a slider, the angle in rad as for a pin.
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
@@ -17,7 +17,7 @@ pub struct Cylindrical<'a> {
 }
 
 impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
-    /// A shift and a turn.
+    /// A translation and a rotation.
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
         let direction = along.direction();

@@ -1,15 +1,17 @@
 //! Elastic: six springs and dampers in the axes of an intermediate frame [P, Sect. A.1].
 //!
-//! The outboard frame is turned against the inboard one by `A = A_z(θ_r) A_y(θ₂) A_x(θ₁)`
-//! [P, Eqs. (1), (53)]: any turn `θ_r` about the inboard `ζ` leads to the intermediate frame, and
-//! small turns from there to the outboard one. Coordinates: the displacement `Δ` of the outboard
-//! origin in axes of the intermediate frame, then `θ₁, θ₂, θ_r`. Rates: as for a floating hinge.
+//! The outboard frame is rotated relative to the inboard frame by `A = A_z(θ_r) A_y(θ₂) A_x(θ₁)`
+//! [P, Eqs.
+//! (1), (53)]: a rotation `θ_r` of any size about the inboard `ζ` leads to the intermediate frame, and small
+//! rotations lead from there to the outboard frame. Coordinates: the displacement `Δ` of the
+//! outboard origin in m, in axes of the intermediate frame, then `θ₁, θ₂, θ_r` in rad. Rates: as
+//! for a floating hinge.
 //!
-//! The efforts of [P, Eq. (54)] act along the rates of these six coordinates, which is what they do
-//! work on. So the springs have an energy, whatever the turn and the stiffnesses. In the frame of
-//! (54) this adds to `m_z` what turns an anisotropic spring, and makes `(m_x + m_z sin θ₂)/cos θ₂` of
-//! `m_x`.
-//! Both reactions act at the outboard origin, and no angular momentum comes from nothing.
+//! The efforts of [P, Eq. (54)] act along the rates of these six coordinates, on which they do
+//! work. The springs therefore have an energy for all rotations and stiffnesses. In the frame of
+//! (54) this adds the moment of a rotated anisotropic spring to `m_z`, and replaces `m_x` by `(m_x
+//! + m_z sin θ₂)/cos θ₂`. Both reactions act at the outboard origin, so angular momentum is
+//! conserved.
 
 use super::law::{HingeLaw, identity_alignment, without_quaternions};
 use super::{HingeGeometry, StrainMap, floating, strain};
@@ -21,7 +23,7 @@ use crate::math::{Mat3, Scalar, Vec3};
 pub struct Elastic;
 
 impl<S: Scalar> HingeLaw<S> for Elastic {
-    /// A shift and a turn; everything is free.
+    /// A translation and a rotation; all six degrees of freedom.
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let about = |k: usize| Mat3::axis_rotation(k, q[3 + k].sin_cos());
         HingeGeometry {
@@ -36,7 +38,7 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
         identity_alignment()
     }
 
-    /// The strains are the coordinates less their rest values.
+    /// The strains are the coordinates minus their rest values.
     fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
         strain::times(&self.strains(q).jacobian, v)
     }
@@ -47,14 +49,14 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
 
     /// From rates to the rates of the coordinates, and back.
     ///
-    /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and
-    /// `ḋ = A_z (Δ̇ + θ̇_r ζ × Δ)`.
+    /// `Ω = ξ θ̇₁ + A_xᵀ η θ̇₂ + A_xᵀ A_yᵀ ζ θ̇_r` in outboard axes, and `ḋ = A_z (Δ̇ + θ̇_r ζ ×
+    /// Δ)`.
     fn strains(&self, q: &[S]) -> StrainMap<S> {
         let (zero, one) = (S::zero(), S::one());
         let ([s1, s2, s3], [c1, c2, c3]) = sines(q);
         let tangent = s2 * c2.recip();
         let secant = c2.recip();
-        // θ̇ = H⁻¹ Ω, and H [P, Eq. (1)] for outboard axes.
+        // θ̇ = H⁻¹ Ω, with H of [P, Eq. (1)] for outboard axes.
         let angles =
             [[one, s1 * tangent, c1 * tangent], [zero, c1, -s1], [zero, s1 * secant, c1 * secant]];
         let spins = [[one, zero, -s2], [zero, c1, s1 * c2], [zero, -s1, c1 * c2]];

@@ -1,7 +1,7 @@
-//! Floating: nothing is held; the paper's acceleration hinge [P, Sect. A.2].
+//! Floating (free flyer): no constraint; the paper's acceleration hinge [P, Sect. A.2].
 //!
-//! Coordinates: the outboard origin in inboard axes, then the quaternion as for a ball. Rates: the
-//! velocity of that origin in inboard axes, then the angular velocity as for a ball.
+//! Coordinates: the outboard origin in m, inboard axes, then the quaternion as for a ball. Rates:
+//! the velocity of that origin in m/s, inboard axes, then the angular velocity as for a ball.
 
 use super::ball::{self, Ball};
 use super::law::{HingeLaw, identity_alignment};
@@ -14,7 +14,7 @@ use crate::math::{Mat3, Scalar, Vec3};
 pub struct Floating;
 
 impl<S: Scalar> HingeLaw<S> for Floating {
-    /// A shift and a turn, both free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
+    /// A translation and a rotation, both free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
             offset: Vec3([q[0], q[1], q[2]]),
@@ -34,7 +34,7 @@ impl<S: Scalar> HingeLaw<S> for Floating {
         rates
     }
 
-    /// The quaternion divided by its length.
+    /// The coordinates with the quaternion divided by its norm.
     fn normalized(&self, q: &[S]) -> Vec<S> {
         let mut coordinates = q[..3].to_vec();
         coordinates.extend(Ball.normalized(&q[3..]));
@@ -46,7 +46,7 @@ impl<S: Scalar> HingeLaw<S> for Floating {
     }
 }
 
-/// The shifts along the inboard axes, then the turns about the outboard ones.
+/// Returns the translations along the inboard axes, then the rotations about the outboard axes.
 pub fn columns<S: Scalar>() -> Vec<SubspaceColumn<S>> {
     let shifts = (0..3).map(|k| SubspaceColumn::translation(Vec3::unit(k)));
     shifts.chain(ball::rotations()).collect()

@@ -1,14 +1,16 @@
-//! The laws of springs, dampers, friction and stops.
+//! The force laws of springs, dampers, friction and stops.
+//!
+//! `s` is a strain, `ṡ` its rate and `σ` the effort along it.
 
 use super::rows::dot;
 use crate::equations::SymbolValues;
 use crate::math::Scalar;
 use crate::model::{DofGroup, Friction, Limits, Passive, Representation};
 
-/// The effort along a strain, and how it falls with the strain and with its rate.
+/// The effort along a strain, linearised in the strain and its rate.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearizedEffort<S> {
-    /// The effort.
+    /// The effort `σ`.
     pub effort: S,
     /// `−∂σ/∂s`
     pub stiffness: S,
@@ -16,24 +18,24 @@ pub struct LinearizedEffort<S> {
     pub damping: S,
 }
 
-/// A group of degrees of freedom in a state.
+/// The state of a group of degrees of freedom.
 pub struct GroupState<'a, S> {
     /// The group.
     pub group: &'a DofGroup,
-    /// What acts on each strain.
+    /// The passive elements along each strain.
     pub passive: &'a [Passive],
-    /// The numbers of the chain.
+    /// The values of the chain's symbols.
     pub numbers: &'a SymbolValues<S>,
     /// The strains.
     pub strains: &'a [S],
-    /// Their rates.
+    /// The strain rates.
     pub rates: &'a [S],
     /// The coordinates.
     pub coordinates: &'a [S],
 }
 
 impl<S: Scalar> LinearizedEffort<S> {
-    /// Nothing acts.
+    /// No effort.
     pub fn zero() -> Self {
         LinearizedEffort { effort: S::zero(), stiffness: S::zero(), damping: S::zero() }
     }
@@ -45,7 +47,7 @@ impl<S: Scalar> LinearizedEffort<S> {
     }
 }
 
-/// What acts along each strain of a group, and the energy that springs and stops hold.
+/// Returns the effort along each strain of a group, and the energy of its springs and stops in J.
 pub fn group_efforts<S: Scalar>(state: &GroupState<S>) -> (Vec<LinearizedEffort<S>>, S) {
     let mut energy = S::zero();
     let mut efforts = Vec::new();
@@ -72,7 +74,7 @@ pub fn group_efforts<S: Scalar>(state: &GroupState<S>) -> (Vec<LinearizedEffort<
     (efforts, energy)
 }
 
-/// A spring and a damper, `−k s − c ṡ`, and `½ k s²`.
+/// Returns the effort `−k s − c ṡ` of a spring and a damper, and the energy `½ k s²`.
 fn spring<S: Scalar>(
     state: &GroupState<S>,
     passive: &Passive,
@@ -85,7 +87,7 @@ fn spring<S: Scalar>(
     (LinearizedEffort { effort, stiffness, damping }, force * state.strains[k] * S::number(0.5))
 }
 
-/// `−f ṡ / √(ṡ² + v²)`; of a rotation vector the length of its rate counts.
+/// Returns `−f ṡ / √(ṡ² + v²)`. For a rotation vector, the root contains the norm of its rate.
 fn dry_friction<S: Scalar>(
     state: &GroupState<S>,
     friction: &Friction,
@@ -107,7 +109,8 @@ fn dry_friction<S: Scalar>(
     }
 }
 
-/// A spring and a damper that act while a coordinate is beyond its limits, and the spring's energy.
+/// Returns the effort of a spring and a damper that act if a coordinate is beyond its limits, and
+/// the energy of the spring.
 fn stop<S: Scalar>(state: &GroupState<S>, limits: &Limits, k: usize) -> (LinearizedEffort<S>, S) {
     let [low, high, stiffness, damping] =
         [&limits.low, &limits.high, &limits.stiffness, &limits.damping]
@@ -122,7 +125,7 @@ fn stop<S: Scalar>(state: &GroupState<S>, limits: &Limits, k: usize) -> (Lineari
     (LinearizedEffort { effort, stiffness: stiff, damping: damp }, energy)
 }
 
-/// A stop against turns by more than an angle from rest; returns its energy.
+/// Adds the stop against a rotation from rest by more than an angle; returns its energy.
 fn add_cone_stop<S: Scalar>(
     state: &GroupState<S>,
     limits: &Limits,
@@ -130,7 +133,7 @@ fn add_cone_stop<S: Scalar>(
 ) -> S {
     let [high, stiffness, damping] =
         [&limits.high, &limits.stiffness, &limits.damping].map(|value| state.numbers.scalar(value));
-    // So small that it only keeps 0/0 away where nothing is turned and no stop acts.
+    // So small that it only avoids 0/0 at rest, where no stop acts.
     let angle = (dot(state.strains, state.strains) + S::number(1e-30)).sqrt();
     let over = (angle - high).positive_part();
     let beyond = (angle - high).is_positive();

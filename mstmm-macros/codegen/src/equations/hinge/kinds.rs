@@ -1,4 +1,4 @@
-//! All kinds of hinges: which law each has.
+//! The laws of all hinge kinds.
 
 use super::{
     HingeLaw, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating, pin::Pin,
@@ -9,7 +9,7 @@ use crate::math::Scalar;
 use crate::model::HingeKind;
 
 impl HingeKind {
-    /// The law of this kind.
+    /// Returns the law of this kind.
     pub fn law<S: Scalar>(&self) -> Box<dyn HingeLaw<S> + '_> {
         match self {
             HingeKind::Weld => Box::new(Weld),

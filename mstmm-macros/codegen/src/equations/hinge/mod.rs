@@ -1,14 +1,13 @@
-//! Hinges: how each turns and shifts its outboard frame against its inboard one, and which
-//! directions it leaves free. One file a kind.
+//! Hinges (joints): how each kind rotates and translates its outboard frame relative to its inboard
+//! frame, and its motion subspace. There is one file for each kind.
 //!
-//! Each kind is one [`HingeLaw`]; `CONTRIBUTING.md` lists what else a new kind needs. What follows
-//! from the law, what acts along the free directions and how hinges close a loop is the same for
-//! all.
+//! Each kind is one [`HingeLaw`]; `CONTRIBUTING.md` lists what else a new kind needs. Everything
+//! that follows from the law, passive elements and the closing of loops are the same for all kinds.
 //!
-//! A hinge is crossed from the side that motion comes from (the *parent*) to the other (the
-//! *child*). The parent is the inboard side, unless the chain is held at its end only: then the
-//! crossing is *reversed*. Each kind may choose axes that suit it, *aligned* with its free
-//! directions and fixed in both of its frames.
+//! Frames: a hinge leads from its *parent* side to its *child* side. The parent is on the inboard
+//! side, unless the chain is held at its end only: then the hinge is *reversed*. Each kind may
+//! choose *aligned* axes, fixed in both of its frames, in which its motion subspace has the most
+//! zeros.
 
 mod axis;
 mod ball;
@@ -41,31 +40,31 @@ pub use transform::{HingeTransform, ToWorkAxes, combine, hinge_transform};
 use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
-/// A hinge at given coordinates, in aligned axes.
+/// The geometry of a hinge at given coordinates, in aligned axes.
 #[derive(Clone, Debug)]
 pub struct HingeGeometry<S> {
-    /// Outboard axes to inboard ones.
+    /// Rotation from outboard axes to inboard axes.
     pub rotation: Mat3<S>,
-    /// The same, if it is a turn about one of the axes.
+    /// The same rotation, if it is about one of the axes.
     pub axis_rotation: Option<AxisRotation<S>>,
-    /// From the inboard origin to the outboard one, inboard axes.
+    /// From the inboard origin to the outboard origin in m, inboard axes.
     pub offset: Vec3<S>,
-    /// What each rate does: `S`, column by column.
+    /// The motion subspace `S`, one column for each rate.
     pub columns: Vec<SubspaceColumn<S>>,
 }
 
-/// A free direction, constant in the axes of one side: the motion of the outboard origin and frame
-/// against the inboard frame.
+/// A column of the motion subspace, constant in the axes of one side: the motion of the outboard
+/// origin and frame relative to the inboard frame.
 #[derive(Clone, Copy, Debug)]
 pub struct SubspaceColumn<S> {
-    /// Whether it is fixed on the outboard side.
+    /// Whether the column is constant on the outboard side.
     pub on_outboard: bool,
-    /// Its six entries, in aligned axes of that side.
+    /// The six entries, in aligned axes of that side.
     pub motion: Motion<S>,
 }
 
 impl<S: Scalar> HingeGeometry<S> {
-    /// Both frames coincide, and nothing is free.
+    /// Both frames coincide; no degree of freedom.
     fn fixed() -> Self {
         HingeGeometry {
             rotation: Mat3::identity(),
@@ -75,7 +74,7 @@ impl<S: Scalar> HingeGeometry<S> {
         }
     }
 
-    /// The outboard frame is turned about an axis.
+    /// The outboard frame is rotated about one axis.
     fn rotated(rotation: AxisRotation<S>) -> Self {
         HingeGeometry {
             rotation: rotation.matrix(),
@@ -86,33 +85,33 @@ impl<S: Scalar> HingeGeometry<S> {
 }
 
 impl<S: Scalar> SubspaceColumn<S> {
-    /// Fixed on the inboard side.
+    /// A column fixed on the inboard side.
     fn inboard(motion: Motion<S>) -> Self {
         SubspaceColumn { on_outboard: false, motion }
     }
 
-    /// A shift along a vector fixed on the inboard side.
+    /// A translation along a vector fixed on the inboard side.
     fn translation(linear: Vec3<S>) -> Self {
         SubspaceColumn::inboard(Motion { linear, angular: Vec3::zero() })
     }
 
-    /// A turn about a vector fixed on the inboard side.
+    /// A rotation about a vector fixed on the inboard side.
     fn rotation(angular: Vec3<S>) -> Self {
         SubspaceColumn::inboard(Motion { linear: Vec3::zero(), angular })
     }
 
-    /// The same entries, but fixed on the outboard side.
+    /// Returns the same entries fixed on the outboard side.
     fn outboard(self) -> Self {
         SubspaceColumn { on_outboard: true, ..self }
     }
 }
 
-/// The time derivative of the coordinates of a hinge.
+/// Returns the time derivative of the coordinates of a hinge.
 pub fn coordinate_rates<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S]) -> Vec<S> {
     kind.law().coordinate_rates(q, v)
 }
 
-/// The coordinates of a hinge with quaternions put back to unit length.
+/// Returns the coordinates of a hinge with quaternions normalised to unit norm.
 pub fn normalized<S: Scalar>(kind: &HingeKind, q: &[S]) -> Vec<S> {
     kind.law().normalized(q)
 }

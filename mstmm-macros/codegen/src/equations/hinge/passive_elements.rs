@@ -1,5 +1,7 @@
-//! What acts along the free directions of a hinge of itself: springs, dampers, friction, stops and
-//! the inertia of rotors, each along one strain.
+//! Passive elements of a hinge: springs, dampers, friction, stops and rotor inertias, each along
+//! one strain.
+//!
+//! `s` are strains, `ṡ = J v` their rates and `σ` the efforts along them.
 
 use super::ball;
 use super::force_laws::{GroupState, LinearizedEffort, group_efforts};
@@ -8,27 +10,28 @@ use crate::equations::SymbolValues;
 use crate::math::{Dual, Scalar};
 use crate::model::{DofGroup, Hinge, HingeKind, Passive, Representation};
 
-/// What acts along the free directions.
+/// The passive elements of a hinge in a state.
 #[derive(Clone, Debug)]
 pub struct PassiveElements<S> {
-    /// How rates become strain rates.
+    /// The map from rates to strain rates.
     pub strains: StrainMap<S>,
     /// Strain rates.
     pub strain_rates: Vec<S>,
-    /// Efforts, one for each of the hinge's rates; what the rates alone demand of rotors is taken
-    /// off.
+    /// Efforts, one for each rate of the hinge, minus the rotor efforts that the rates alone
+    /// require.
     pub efforts: Vec<S>,
-    /// Inertia along each strain: of rotors and, in an implicit step, what the step adds.
+    /// Inertia along each strain: rotor inertia plus, in an implicit step, the inertia that the
+    /// step adds.
     pub inertias: Vec<S>,
-    /// Inertia of rotors along each strain.
+    /// Rotor inertia along each strain.
     pub rotor_inertias: Vec<S>,
-    /// Energy of springs and stops.
+    /// Energy of springs and stops in J.
     pub energy: S,
 }
 
-/// What acts at coordinates `q` and rates `v`. In a linearly implicit Euler step of length `h` the
-/// effort is the one that the change of strain over the step would make,
-/// `σ(s + h ṡ⁺, ṡ⁺) ≈ σ − h k ṡ − (h c + h² k) s̈`: its last part counts as inertia.
+/// Returns the passive elements at coordinates `q` and rates `v`. In a linearly implicit Euler step
+/// of length `h`, the effort includes the change of strain over the step, `σ(s + h ṡ⁺, ṡ⁺) ≈ σ − h
+/// k ṡ − (h c + h² k) s̈`. The last term is treated as an inertia.
 pub fn passive_elements<S: Scalar>(
     hinge: &Hinge,
     numbers: &SymbolValues<S>,
@@ -56,7 +59,7 @@ pub fn passive_elements<S: Scalar>(
     PassiveElements { strains, strain_rates: rates, efforts, inertias, rotor_inertias, energy }
 }
 
-/// What acts along each strain, and the energy of it.
+/// Returns the effort along each strain, and the energy.
 fn linearized_efforts<S: Scalar>(
     hinge: &Hinge,
     numbers: &SymbolValues<S>,
@@ -85,7 +88,7 @@ fn linearized_efforts<S: Scalar>(
 }
 
 impl<S: Scalar> PassiveElements<S> {
-    /// What accelerations of the rates take to move the rotors, along the rates.
+    /// Returns the efforts along the rates that accelerate the rotors.
     pub fn rotor_efforts(&self, accelerations: &[S]) -> Vec<S> {
         let along = strain::times(&self.strains.jacobian, accelerations);
         let taken: Vec<S> = along.iter().zip(&self.rotor_inertias).map(|(&a, &i)| a * i).collect();
@@ -93,7 +96,8 @@ impl<S: Scalar> PassiveElements<S> {
     }
 }
 
-/// The strains `s`, one for each rate: coordinates less their rest values, rotation vectors from rest.
+/// Returns the strains `s`, one for each rate: coordinates minus their rest values, and rotation
+/// vectors from rest.
 fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
     let group = |group: &DofGroup| {
         let (rest, q) = (&rest[group.coordinates.clone()], &q[group.coordinates.clone()]);
@@ -107,7 +111,7 @@ fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S>
     kind.spec().groups.iter().flat_map(group).collect::<Vec<S>>()
 }
 
-/// `J̇ v`, the strain accelerations that the rates alone make, where a rotor feels them.
+/// Returns `J̇ v`, the strain accelerations at constant rates; zero without rotors.
 fn strain_bias<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotor_inertias: &[S]) -> Vec<S> {
     let strains = kind.law().strains(q);
     if strains.is_constant || rotor_inertias.iter().all(|rotor| rotor.vanishes()) {

@@ -1,8 +1,9 @@
-//! Pin: turns about an axis `ζ` fixed on both sides [P, Sect. 3.3].
+//! Pin (revolute joint): rotates about an axis `ζ` that is fixed on both sides [P, Sect. 3.3].
 //!
-//! Coordinate: the angle `Θ` in rad by which the outboard frame is turned against the inboard one,
-//! right-handed about `ζ`. Aligned axes have one coordinate axis along `ζ`: the moment along it is
-//! then a single number, `H_2 Aᵀ m = 0` of [P, Eq. (35)].
+//! Coordinate: the angle `Θ` in rad of the outboard frame relative to the inboard frame,
+//! right-handed about `ζ`. One of the aligned axes lies along `ζ`, so the moment about it is one
+//! entry: `H_2 Aᵀ m = 0` of [P, Eq.
+//! (35)].
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
@@ -19,7 +20,7 @@ pub struct Pin<'a> {
 }
 
 impl<S: Scalar> HingeLaw<S> for Pin<'_> {
-    /// A turn about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
+    /// A rotation about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
         let turn = SubspaceColumn::rotation(along.direction());

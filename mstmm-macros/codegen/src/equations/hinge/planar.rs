@@ -1,7 +1,7 @@
-//! Planar: shifts in a plane and turns about its normal.
+//! Planar: translates in a plane and rotates about its normal.
 //!
-//! Coordinates: the ways in m of the outboard origin along the two inboard axes that follow the
-//! normal, and the angle in rad about the normal.
+//! Coordinates: the displacements in m of the outboard origin along the two inboard axes that
+//! follow the normal, and the angle in rad about the normal.
 
 use super::law::{HingeLaw, identity_alignment, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
@@ -11,12 +11,12 @@ use crate::math::{AxisRotation, Mat3, Scalar, Vec3};
 /// A planar hinge.
 #[derive(Clone, Copy, Debug)]
 pub struct Planar {
-    /// Which axis the normal is.
+    /// The index of the axis along the normal.
     pub normal: usize,
 }
 
 impl<S: Scalar> HingeLaw<S> for Planar {
-    /// Two shifts along inboard axes and a turn.
+    /// Two translations along inboard axes and a rotation.
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let [first, second] = [1, 2].map(|k| Vec3::unit((self.normal + k) % 3));
         let (sin, cos) = q[2].sin_cos();

@@ -1,7 +1,7 @@
-//! Elastic in the plane: the plane cut of [P, Sect. A.1], where the intermediate frame is the
-//! outboard one's axes at the inboard origin.
+//! Elastic in the plane: the planar case of [P, Sect. A.1]. The intermediate frame has the axes of
+//! the outboard frame and the origin of the inboard frame.
 //!
-//! Coordinates: the displacement of the outboard origin in m along the turned axes, and the angle
+//! Coordinates: the displacement of the outboard origin in m along the rotated axes, and the angle
 //! in rad. Rates: as for a planar hinge. Efforts act along the rates of the coordinates, as for the
 //! elastic hinge in space.
 
@@ -16,7 +16,7 @@ use crate::math::{Mat3, Scalar};
 pub struct PlaneElastic;
 
 impl<S: Scalar> HingeLaw<S> for PlaneElastic {
-    /// Two shifts and a turn.
+    /// Two translations and a rotation.
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let (sin, cos) = q[2].sin_cos();
         let offset = [cos * q[0] - sin * q[1], sin * q[0] + cos * q[1]];
@@ -27,7 +27,7 @@ impl<S: Scalar> HingeLaw<S> for PlaneElastic {
         identity_alignment()
     }
 
-    /// The strains are the coordinates less their rest values.
+    /// The strains are the coordinates minus their rest values.
     fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S> {
         strain::times(&self.strains(q).jacobian, v)
     }

@@ -1,8 +1,8 @@
-//! Matrices by rows, one for each rate of a hinge.
+//! Small dense matrices by rows, one row for each rate of a hinge.
 
 use crate::math::Scalar;
 
-/// The identity and its inverse.
+/// Returns the identity and its inverse.
 pub fn identity<S: Scalar>(count: usize) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
     let entry = |on| if on { S::one() } else { S::zero() };
     let rows: Vec<Vec<S>> =
@@ -10,7 +10,7 @@ pub fn identity<S: Scalar>(count: usize) -> (Vec<Vec<S>>, Vec<Vec<S>>) {
     (rows.clone(), rows)
 }
 
-/// `Σ a b`
+/// Returns `Σ a b`.
 pub fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
     a.iter().zip(b).fold(S::zero(), |sum, (&a, &b)| sum + a * b)
 }

@@ -1,6 +1,8 @@
-//! Screw: turns about an axis fixed on both sides and shifts along it, `pitch` metres a radian.
+//! Screw (helical joint): rotates about an axis that is fixed on both sides and translates along
+//! it, by `pitch` metres per radian.
 //!
-//! Coordinate: the angle in rad as for a pin; the outboard origin is shifted by `pitch · angle`.
+//! Coordinate: the angle in rad as for a pin; the displacement of the outboard origin is `pitch ·
+//! angle`.
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
@@ -14,12 +16,12 @@ use crate::model::Value;
 pub struct Screw<'a> {
     /// The axis, the same on both sides.
     pub axis: &'a [Value; 3],
-    /// Shift in m for a turn by one rad.
+    /// Displacement in m for a rotation by one rad.
     pub pitch: &'a Value,
 }
 
 impl<S: Scalar> HingeLaw<S> for Screw<'_> {
-    /// A turn with its shift, `S = [pitch ζ; ζ]`.
+    /// A rotation with its translation, `S = [pitch ζ; ζ]`.
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers);
         let direction = along.direction();

@@ -1,6 +1,6 @@
-//! Slider: shifts along an axis fixed on both sides.
+//! Slider (prismatic joint): translates along an axis that is fixed on both sides.
 //!
-//! Coordinate: the way in m of the outboard origin along the axis.
+//! Coordinate: the displacement in m of the outboard origin along the axis.
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
@@ -17,7 +17,7 @@ pub struct Slider<'a> {
 }
 
 impl<S: Scalar> HingeLaw<S> for Slider<'_> {
-    /// A shift along the axis.
+    /// A translation along the axis.
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, numbers).direction();
         HingeGeometry {

@@ -1,35 +1,35 @@
-//! The directions that a hinge leaves free, as the sweeps use them.
+//! The basis of a hinge's motion subspace in which the sweeps eliminate degrees of freedom.
 
 use super::rows::{dot, identity};
 use super::strain::StrainMap;
 use super::transform::combine;
 use crate::math::{Motion, Scalar, Wrench};
 
-/// The directions that a hinge leaves free, in the work axes of the child.
+/// A basis of the motion subspace, in the work axes of the child.
 ///
-/// The child moves against the parent by `Σ columns[i] w[i]`, and `v = inverse · w`. The hinge's
-/// condition is `columnsᵀ F = inverseᵀ τ − armature ẇ`.
+/// The child moves relative to the parent by `Σ columns[i] w[i]`, and `v = inverse · w`. The
+/// equation of the hinge is `columnsᵀ F = inverseᵀ τ − armature ẇ`.
 #[derive(Clone, Debug)]
 pub struct SubspaceBasis<S> {
-    /// The free directions; none where the motion is prescribed.
+    /// The basis vectors; none if the motion is prescribed.
     pub columns: Vec<BasisVector<S>>,
-    /// Inertia of rotors along each column.
+    /// Rotor inertia along each basis vector.
     pub armature: Vec<S>,
     inverse: Vec<Vec<S>>,
 }
 
-/// A free direction.
+/// A basis vector of the motion subspace.
 #[derive(Clone, Copy, Debug)]
 pub enum BasisVector<S> {
-    /// Along (0 to 2) or about (3 to 5) one of the work axes: what is eliminated along it can be
-    /// set to exactly zero.
+    /// Along (0 to 2) or about (3 to 5) a work axis. The entries along it become exactly zero in
+    /// the elimination.
     Axis(usize),
-    /// Any other.
+    /// Any other motion.
     General(Motion<S>),
 }
 
 impl<S: Scalar> BasisVector<S> {
-    /// `motion` as a column: an axis where it is one.
+    /// Returns `motion` as a basis vector.
     fn of(motion: Motion<S>) -> Self {
         let present: Vec<usize> = (0..6).filter(|&k| !motion.at(k).vanishes()).collect();
         match present[..] {
@@ -38,7 +38,7 @@ impl<S: Scalar> BasisVector<S> {
         }
     }
 
-    /// The direction's six entries.
+    /// Returns the six entries of the basis vector.
     pub fn motion(&self) -> Motion<S> {
         match self {
             BasisVector::Axis(axis) => Motion::unit(*axis),
@@ -46,7 +46,7 @@ impl<S: Scalar> BasisVector<S> {
         }
     }
 
-    /// What a pivot along it is measured by, from a mass and a moment of inertia.
+    /// Returns the scale of a pivot along the basis vector, from a mass and a moment of inertia.
     pub fn pivot_scale(&self, mass: S, moment: S) -> S {
         match self {
             BasisVector::Axis(axis) if *axis < 3 => mass,
@@ -58,8 +58,8 @@ impl<S: Scalar> BasisVector<S> {
     }
 }
 
-/// The free directions of a hinge that moves by `subspace`, in work axes; `strains` are those that
-/// its passive elements act on and `armature` the inertias of rotors along them.
+/// Returns a basis of `subspace`, in work axes. `strains` maps rates to strain rates, and
+/// `armature` are the rotor inertias along the strains.
 pub fn subspace_basis<S: Scalar>(
     subspace: &[Motion<S>],
     strains: &StrainMap<S>,
@@ -70,7 +70,7 @@ pub fn subspace_basis<S: Scalar>(
         return on_axes
             .unwrap_or_else(|| along(subspace.to_vec(), identity(subspace.len()).1, armature));
     }
-    // Along the strains rotors have one inertia each.
+    // Along the strains, each rotor has its own inertia.
     let column = |k: usize| {
         let amounts: Vec<S> = strains.inverse.iter().map(|row| row[k]).collect();
         combine(subspace.iter(), &amounts)
@@ -79,20 +79,20 @@ pub fn subspace_basis<S: Scalar>(
     along(columns, strains.inverse.clone(), armature)
 }
 
-/// Nothing is free.
+/// Returns the basis of a hinge whose motion is prescribed, which is empty.
 pub fn empty_basis<S>() -> SubspaceBasis<S> {
     SubspaceBasis { columns: Vec::new(), armature: Vec::new(), inverse: Vec::new() }
 }
 
-/// The axes that motions have entries along, if there are as many as motions.
+/// Returns the axes along which the motions have entries, if there are as many axes as motions.
 fn axes_of<S: Scalar>(subspace: &[Motion<S>]) -> Option<Vec<usize>> {
     let present = |&k: &usize| subspace.iter().any(|motion| !motion.at(k).vanishes());
     let axes: Vec<usize> = (0..6).filter(present).collect();
     (axes.len() == subspace.len()).then_some(axes)
 }
 
-/// Whole axes as free directions. The inverse of the basis follows from its blocks: shifts among
-/// themselves, and turns among themselves, are orthogonal.
+/// Returns a basis of whole axes. The inverse follows from the blocks: translations are orthogonal
+/// to each other, and rotations are orthogonal to each other.
 ///
 /// ```text
 /// basis = [L N]   inverse = [Lᵀ −Lᵀ N Tᵀ]
@@ -107,7 +107,7 @@ fn on_axes<S: Scalar>(
     let shifts = axes.iter().filter(|&&axis| axis < 3).count();
     let basis: Vec<Vec<S>> =
         axes.iter().map(|&axis| subspace.iter().map(|motion| motion.at(axis)).collect()).collect();
-    // Shifts come first among the rates of every kind, and only turns can turn.
+    // Translations come first among the rates of every kind, and have no angular part.
     let block = |i: usize, j: usize| i >= shifts && j < shifts;
     let pure = (0..count).all(|i| (0..count).all(|j| !block(i, j) || basis[i][j].vanishes()));
     if !pure {
@@ -144,7 +144,7 @@ fn along<S: Scalar>(
 }
 
 impl<S: Scalar> SubspaceBasis<S> {
-    /// Efforts along the columns, from those that belong to the rates.
+    /// Returns efforts along the basis vectors, from efforts along the rates.
     pub fn to_basis(&self, efforts: &[S]) -> Vec<S> {
         (0..self.columns.len())
             .map(|j| {
@@ -153,12 +153,13 @@ impl<S: Scalar> SubspaceBasis<S> {
             .collect()
     }
 
-    /// The rates, or accelerations, that belong to `amounts` of the columns.
+    /// Returns rates, or accelerations, from `amounts` along the basis vectors.
     pub fn to_rates(&self, amounts: &[S]) -> Vec<S> {
         self.inverse.iter().map(|row| dot(row, amounts)).collect()
     }
 
-    /// A wrench over the hinge, with the efforts put where the free axes leave nothing else.
+    /// Returns the wrench in the hinge with exact entries along the free axes, where the wrench
+    /// equals the effort.
     pub fn with_applied_efforts(&self, wrench: Wrench<S>, efforts: &[S]) -> Wrench<S> {
         let basis_efforts = self.to_basis(efforts);
         let along = |k: usize| {

@@ -1,4 +1,5 @@
-//! Over a hinge from the parent's side to the child's, whichever of the two is the inboard one.
+//! The transform across a hinge from the parent's side to the child's side, either of which may be
+//! inboard.
 
 use super::{HingeGeometry, SubspaceColumn};
 use crate::equations::SymbolValues;
@@ -6,30 +7,31 @@ use crate::equations::strategy::rotates_in_steps;
 use crate::math::{AxisRotation, Mat3, Motion, Rotation, Scalar, Vec3};
 use crate::model::HingeKind;
 
-/// The crossing of a hinge at given coordinates.
+/// The transform across a hinge at given coordinates.
 #[derive(Clone, Debug)]
 pub struct HingeTransform<S> {
-    /// Aligned child axes to aligned parent axes.
+    /// Rotation from aligned child axes to aligned parent axes.
     pub rotation: Mat3<S>,
-    /// The same, if it is a turn about one of the aligned axes.
+    /// The same rotation, if it is about one of the aligned axes.
     pub axis_rotation: Option<AxisRotation<S>>,
-    /// From the parent's point to the child's, aligned parent axes.
+    /// From the parent's point to the child's in m, aligned parent axes.
     pub offset: Vec3<S>,
-    /// The motions of the child's point and frame against the parent's frame for each rate.
+    /// The motion subspace: the motion of the child's point and frame relative to the parent's
+    /// frame.
     columns: Vec<OrientedColumn<S>>,
-    /// From the inboard origin to the outboard one, aligned inboard axes, if the child is the
-    /// inboard side.
+    /// From the inboard origin to the outboard origin, aligned inboard axes; only if the child is
+    /// the inboard side.
     outboard_offset: Option<Vec3<S>>,
 }
 
-/// A motion whose entries are given in aligned axes of the side that it turns with.
+/// A column of the motion subspace, in aligned axes of the side where it is constant.
 #[derive(Clone, Copy, Debug)]
 struct OrientedColumn<S> {
     on_child: bool,
     motion: Motion<S>,
 }
 
-/// From aligned axes of a hinge's two sides to the axes that the child's equations are written in.
+/// Rotations from the aligned axes of both sides to the work axes of the child.
 #[derive(Clone, Copy, Debug)]
 pub struct ToWorkAxes<S> {
     /// From aligned parent axes.
@@ -38,7 +40,7 @@ pub struct ToWorkAxes<S> {
     pub child_to_work: Mat3<S>,
 }
 
-/// Crosses a hinge.
+/// Returns the transform across a hinge.
 pub fn hinge_transform<S: Scalar>(
     kind: &HingeKind,
     numbers: &SymbolValues<S>,
@@ -56,8 +58,8 @@ fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     HingeTransform { rotation, axis_rotation, offset, columns, outboard_offset: None }
 }
 
-/// The inboard frame moves against the outboard one by the opposite of what that does, seen at its
-/// own origin.
+/// Returns the transform from the outboard to the inboard side. The inboard frame moves relative to
+/// the outboard frame by the opposite motion, at its own origin.
 fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
     let back = rotation.transposed() * offset;
@@ -76,7 +78,8 @@ fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
 }
 
 impl<S: Scalar> HingeTransform<S> {
-    /// Its rotation followed by the fixed one of the parent's side.
+    /// Returns the rotation to the parent: that of the hinge, followed by the fixed rotation
+    /// `side`.
     pub fn rotation_to_parent(&self, side: Mat3<S>) -> Rotation<S> {
         match self.axis_rotation {
             Some(turn) if rotates_in_steps(side) => Rotation::from_steps(side, turn),
@@ -84,7 +87,7 @@ impl<S: Scalar> HingeTransform<S> {
         }
     }
 
-    /// `S`: the motions of the child against the parent for each rate, work axes.
+    /// Returns the motion subspace `S` in work axes.
     pub fn subspace(&self, axes: &ToWorkAxes<S>) -> Vec<Motion<S>> {
         let of = |d: &OrientedColumn<S>| {
             d.motion.rotated(if d.on_child { axes.child_to_work } else { axes.parent_to_work })
@@ -92,11 +95,12 @@ impl<S: Scalar> HingeTransform<S> {
         self.columns.iter().map(of).collect()
     }
 
-    /// `Ṡ q̇`, the acceleration that the rates alone make, seen from the parent, work axes.
+    /// Returns the bias acceleration `Ṡ v` of the hinge relative to the parent, work axes.
     ///
-    /// Shifts are fixed on the inboard side; with the turning rates `ω_i`, `ω_o` of directions
-    /// fixed on the two sides, outwards it is `[0; ω_i × ω_o]`. Inwards, seen from the outboard
-    /// frame, the inboard origin at `−d` has besides `2 ω × ḋ − ω × (ω × d)`.
+    /// Translations are constant on the inboard side. With the angular rates `ω_i`, `ω_o` of
+    /// columns that are constant on the inboard and on the outboard side, the outward bias
+    /// acceleration is `[0; ω_i × ω_o]`. In the inward direction, the inboard origin at `−d` in the
+    /// outboard frame also has `2 ω × ḋ − ω × (ω × d)`.
     pub fn bias_acceleration(
         &self,
         subspace: &[Motion<S>],
@@ -112,7 +116,8 @@ impl<S: Scalar> HingeTransform<S> {
         let Some(offset) = self.outboard_offset else {
             return Motion { linear: Vec3::zero(), angular: on_parent.cross(on_child) };
         };
-        // The inboard side is the child, and what turns here is it against the outboard one.
+        // The child is the inboard side, and `angular_rate` is its rate relative to the outboard
+        // side.
         let (inboard, outboard) = (-on_child, -on_parent);
         let (omega, bias) = (inboard + outboard, inboard.cross(outboard));
         let offset = axes.child_to_work * offset;
@@ -123,7 +128,7 @@ impl<S: Scalar> HingeTransform<S> {
     }
 }
 
-/// `Σ motion · amount`
+/// Returns `Σ motion · amount`.
 pub fn combine<'a, S: Scalar + 'a>(
     motions: impl Iterator<Item = &'a Motion<S>>,
     amounts: &[S],

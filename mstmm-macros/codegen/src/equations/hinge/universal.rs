@@ -1,8 +1,8 @@
-//! Universal: turns about an axis fixed on the inboard side, then about one fixed on the outboard
-//! side.
+//! Universal: rotates about an axis fixed on the inboard side, then about an axis fixed on the
+//! outboard side.
 //!
-//! Coordinates: both angles in rad; `A = A_a(α) A_b(β)`. Aligned axes have one coordinate axis
-//! along the outboard one.
+//! Coordinates: both angles in rad; `A = A_a(α) A_b(β)`. One of the aligned axes lies along the
+//! outboard axis.
 
 use super::axis::{Alignment, rotation_about};
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
@@ -19,8 +19,8 @@ pub struct Universal<'a> {
 }
 
 impl<S: Scalar> HingeLaw<S> for Universal<'_> {
-    /// Two turns, each about an axis fixed on its side; the first carries the second's axis with
-    /// it.
+    /// Two rotations, each about an axis fixed on its side; the first also rotates the axis of the
+    /// second.
     fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let outboard = Alignment::with(&self.axes[1], numbers);
         let first = inboard_axis(&self.axes[0], &outboard, numbers);
@@ -52,7 +52,7 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
     }
 }
 
-/// The inboard axis in aligned axes.
+/// Returns the inboard axis in aligned axes.
 fn inboard_axis<S: Scalar>(
     axis: &[Value; 3],
     outboard: &Alignment<S>,

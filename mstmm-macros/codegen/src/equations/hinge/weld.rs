@@ -1,4 +1,4 @@
-//! Weld: joins two frames for good.
+//! Weld (fixed joint): joins two frames rigidly.
 
 use super::law::{HingeLaw, identity_alignment, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap};
@@ -10,7 +10,7 @@ use crate::math::{Mat3, Scalar};
 pub struct Weld;
 
 impl<S: Scalar> HingeLaw<S> for Weld {
-    /// Both frames coincide, and nothing is free.
+    /// Both frames coincide; no degree of freedom.
     fn geometry(&self, _: &SymbolValues<S>, _: &[S]) -> HingeGeometry<S> {
         HingeGeometry::fixed()
     }

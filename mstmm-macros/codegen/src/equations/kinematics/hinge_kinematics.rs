@@ -1,4 +1,4 @@
-//! Over one hinge, from the parent's side to the child's.
+//! Kinematics across one hinge, from its parent to its child.
 
 use super::super::EvalContext;
 use super::super::hinge::{self, PassiveElements, SubspaceBasis, ToWorkAxes};
@@ -7,69 +7,70 @@ use super::PartKinematics;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 
-/// A hinge that was crossed, in the work axes of its child unless another frame is named.
+/// The kinematics of a hinge, in the work axes of its child unless another frame is named.
 #[derive(Clone, Debug)]
 pub struct HingeKinematics<S> {
     /// The hinge.
     pub id: HingeId,
     /// Its name.
     pub name: String,
-    /// Work axes to those of the parent.
+    /// Rotation from the child's work axes to those of the parent.
     pub to_parent: Rotation<S>,
-    /// From the parent's point to the child's, parent's work axes.
+    /// From the parent's point to the child's, parent's work axes, in m.
     pub arm: Vec3<S>,
-    /// The part of `arm` that is the hinge's: from its parent's side to the point.
+    /// The part of `arm` inside the hinge: from the hinge's parent side to the child's point.
     pub offset: Vec3<S>,
-    /// `S`, the motion of the child against the parent for each rate.
+    /// The motion subspace `S`: the motion of the child relative to the parent for each rate.
     pub subspace: Vec<Motion<S>>,
-    /// The same in aligned child axes of the hinge, where it has most zeros.
+    /// The same in aligned child axes of the hinge, where it has the most zeros.
     pub aligned_subspace: Vec<Motion<S>>,
-    /// What the hinge leaves free.
+    /// A basis of the motion subspace for the elimination.
     pub basis: SubspaceBasis<S>,
-    /// What acts along its free directions of itself.
+    /// Springs, dampers, friction, stops and rotors of the hinge.
     pub passives: PassiveElements<S>,
-    /// Efforts of motor and passive elements, one for each rate.
+    /// Efforts of actuator and passive elements, one for each rate.
     pub efforts: Vec<S>,
     /// Angular velocity of the parent, in the parent's work axes.
     pub parent_omega: Vec3<S>,
-    /// Motion against the parent, at the point.
+    /// Velocity relative to the parent, at the child's point.
     pub relative_velocity: Motion<S>,
-    /// What joins the acceleration of the point on the way from the parent's.
+    /// Bias acceleration of the child's point relative to the parent's.
     pub bias_acceleration: BiasAcceleration<S>,
-    /// Aligned child axes of the hinge to work axes.
+    /// Rotation from aligned child axes of the hinge to work axes.
     pub child_to_work: Mat3<S>,
 }
 
-/// What velocities and prescribed accelerations add to the acceleration of a point on the way from
-/// its parent's [P, Eqs. (13), (36)], each part in the axes in which it has most zeros.
+/// The bias acceleration `b` of a hinge: the acceleration of the child's point that velocities and
+/// prescribed accelerations add to the parent's [P, Eqs. (13), (36)]. Each part is in the axes
+/// where it has the most zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct BiasAcceleration<S> {
-    /// Of the way on the parent to the hinge, `Ω_p × (Ω_p × arm)`; parent's work axes.
+    /// Of the arm on the parent, `Ω_p × (Ω_p × arm)`; parent's work axes.
     pub on_parent: Vec3<S>,
-    /// Of the hinge; work axes of its child.
+    /// Of the hinge; child's work axes.
     pub in_hinge: Motion<S>,
 }
 
 impl<S: Scalar> BiasAcceleration<S> {
-    /// Nothing joins.
+    /// No bias acceleration.
     pub fn zero() -> Self {
         BiasAcceleration { on_parent: Vec3::zero(), in_hinge: Motion::zero() }
     }
 
-    /// Power of a wrench on it, in the hinge's work axes, which `to_parent` leads to those of the
-    /// parent.
+    /// Returns `bᵀ F` for a wrench in the hinge's work axes; `to_parent` rotates these axes to the
+    /// parent's.
     pub fn power(self, to_parent: &Rotation<S>, wrench: Wrench<S>) -> S {
         self.in_hinge.power(wrench) + self.on_parent.dot(to_parent.rotate(wrench.force))
     }
 }
 
 impl<S: Scalar> HingeKinematics<S> {
-    /// The part of the parent's motion, or acceleration, that comes over to the point.
+    /// Returns `X a_p`: the motion of the child's point if the hinge were rigid.
     pub fn motion_from_parent(&self, parent: Motion<S>) -> Motion<S> {
         parent.shifted_to(self.arm).rotated_back(&self.to_parent)
     }
 
-    /// The same with what joins on the way.
+    /// Returns `X a_p + b`.
     pub fn acceleration_from_parent(
         &self,
         parent: Motion<S>,
@@ -80,20 +81,21 @@ impl<S: Scalar> HingeKinematics<S> {
         at_hinge.rotated_back(&self.to_parent) + bias.in_hinge
     }
 
-    /// Whether its sides are one point in all that the hinge does.
+    /// Whether both sides of the hinge are the same point in all coordinates of the hinge.
     pub fn is_concentric(&self) -> bool {
         let vanishes = |vector: Vec3<S>| vector.0.iter().all(|entry| entry.vanishes());
         let translates = self.subspace.iter().any(|motion| !vanishes(motion.linear));
         !translates && vanishes(self.offset) && vanishes(self.bias_acceleration.in_hinge.linear)
     }
 
-    /// A wrench on the child at the point, as one at the parent's point in its work axes.
+    /// Returns a wrench on the child, about its point, as a wrench about the parent's point in the
+    /// parent's work axes.
     pub fn wrench_to_parent(&self, wrench: Wrench<S>) -> Wrench<S> {
         wrench.rotated(&self.to_parent).shifted_from(self.arm)
     }
 }
 
-/// Crosses a hinge from the side of `parent`.
+/// Returns the kinematics across a hinge, from the kinematics of `parent`.
 pub fn hinge_kinematics<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
@@ -159,7 +161,7 @@ pub fn hinge_kinematics<S: Scalar>(
     }
 }
 
-/// `[2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
+/// Returns the Coriolis terms `[2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
 fn coriolis_acceleration<S: Scalar>(parent_omega: Vec3<S>, relative: Motion<S>) -> Motion<S> {
     Motion {
         linear: parent_omega.cross(relative.linear) * S::number(2.0),

@@ -1,5 +1,5 @@
-//! Kinematics: how every part is turned, how fast, and what its velocities add to the
-//! accelerations, from the ground outwards; and where every part is.
+//! Kinematics: orientations, angular velocities and bias accelerations of all links, from the
+//! ground outward; and the poses of all links.
 //!
 //! # Notation
 //!
@@ -7,12 +7,13 @@
 //! |---|---|---|
 //! | `Ω` | [`LinkKinematics::omega`] | angular velocity, work axes |
 //! | `m`, `m r_C`, `J` | `mass`, `first_moment`, `inertia` | of a part about its point, work axes |
-//! | `S` | [`HingeKinematics::subspace`] | motion of the child against the parent for each rate |
-//! | `b` | [`BiasAcceleration`] | bias acceleration of the point against the parent's |
+//! | `S` | [`HingeKinematics::subspace`] | motion subspace: motion of the child relative to the parent for each rate |
+//! | `b` | [`BiasAcceleration`] | bias acceleration of a link's point relative to the parent's |
+//! | `X` | [`HingeKinematics::motion_from_parent`] | motion of the parent's point to motion of the child's point |
 //!
-//! Frames: the *work axes* of a link are those in which its equations are written ([`Axes`]); its
-//! *attitude* leads from the axes of its part's frame to them, `to_parent` from them to the
-//! parent's.
+//! Frames: the equations of a link are written in its *work axes* ([`Axes`]). `part_to_work`
+//! rotates from the frame of the link's part to the work axes; `to_parent` rotates from the work
+//! axes to those of the parent.
 
 mod hinge_kinematics;
 mod pose;
@@ -29,18 +30,18 @@ use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Attachment, Chain, Hinge, Link, MovesWith};
 
-/// A part in motion, in its link's work axes unless another frame is named.
+/// The kinematics of a link, in its work axes unless another frame is named.
 #[derive(Clone, Debug)]
 pub struct LinkKinematics<S> {
     /// The name of the part's first body.
     pub name: String,
-    /// The hinge that it hangs on.
+    /// The hinge between the link and its parent.
     pub hinge: HingeKinematics<S>,
-    /// Index of the link of the part that it hangs on; none if that is the ground.
+    /// The parent link; `None` for the ground.
     pub parent: Option<LinkId>,
-    /// Where its point lies, in its own frame.
+    /// The position of the link's point, in the frame of its part.
     pub point: Vec3<S>,
-    /// Its frame's axes to work axes.
+    /// Rotation from the axes of the part's frame to work axes.
     pub part_to_work: Mat3<S>,
     /// Angular velocity `Ω`.
     pub omega: Vec3<S>,
@@ -48,23 +49,23 @@ pub struct LinkKinematics<S> {
     pub mass: S,
     /// First moment `m r_C` about the point.
     pub first_moment: Vec3<S>,
-    /// Inertia about the point.
+    /// Rotational inertia `J` about the point.
     pub inertia: Sym3<S>,
 }
 
-/// What the motion of a part means to what hangs on it.
+/// The kinematics of a part, as its children need them.
 #[derive(Clone, Copy, Debug)]
 pub struct PartKinematics<S> {
-    /// Axes of the part's frame to work axes.
+    /// Rotation from the axes of the part's frame to work axes.
     pub part_to_work: Mat3<S>,
-    /// Where its point lies, in its own frame.
+    /// The position of the link's point, in the part's frame.
     pub point: Vec3<S>,
     /// Angular velocity `Ω`, work axes.
     pub omega: Vec3<S>,
 }
 
 impl<S: Scalar> PartKinematics<S> {
-    /// The ground is at rest.
+    /// The ground, which is at rest.
     pub fn ground() -> Self {
         let (point, omega) = (Vec3::zero(), Vec3::zero());
         PartKinematics { part_to_work: Mat3::identity(), point, omega }
@@ -79,25 +80,25 @@ impl<S: Scalar> Flatten<S> for PartKinematics<S> {
 }
 
 impl<S: Scalar> LinkKinematics<S> {
-    /// The motion of its part.
+    /// Returns the kinematics of the link's part.
     pub fn part(&self) -> PartKinematics<S> {
         PartKinematics { part_to_work: self.part_to_work, point: self.point, omega: self.omega }
     }
 
-    /// The inertia that links `a` and `F` at the point.
+    /// Returns the spatial inertia of the link about its point.
     pub fn spatial_inertia(&self) -> SpatialInertia<S> {
         SpatialInertia::rigid(self.mass, self.first_moment, self.inertia)
     }
 
-    /// The load that the velocities take: `[m Ω̃Ω̃ r_C; Ω × J Ω]`, of [P, Eq. (20)] `−E_5` and,
-    /// about the point, the gyroscopic part of `E_9`.
+    /// Returns the wrench that the velocities require, `[m Ω̃Ω̃ r_C; Ω × J Ω]`: `−E_5` of [P, Eq.
+    /// (20)] and, about the point, the gyroscopic part of `E_9`.
     pub fn velocity_wrench(&self) -> Wrench<S> {
         let moment = self.inertia.gyroscopic(self.omega);
         Wrench { force: self.first_moment.centripetal_by_products(self.omega), moment }
     }
 }
 
-/// All links, from the ground outwards.
+/// Returns the kinematics of all links, from the ground outward.
 pub fn kinematics<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
@@ -108,14 +109,14 @@ pub fn kinematics<S: Scalar>(
         let name = &next.hinge.name;
         trace.section(
             format!("{name}_kinematics"),
-            format!("Motion across `{name}`"),
+            format!("Kinematics of `{name}`"),
             "[P, Eqs. (1), (13), (36)]",
         );
-        trace.matrix(&format!("{name}_turn"), next.hinge.to_parent.matrix());
-        trace.matrix(&format!("{name}_axes"), next.part_to_work);
+        trace.matrix(&format!("{name}_rotation"), next.hinge.to_parent.matrix());
+        trace.matrix(&format!("{name}_part_to_work"), next.part_to_work);
         trace.vector(&format!("{name}_omega"), next.omega);
         trace.vector(&format!("{name}_centripetal"), next.hinge.bias_acceleration.on_parent);
-        trace.motion(&format!("{name}_drift"), next.hinge.bias_acceleration.in_hinge);
+        trace.motion(&format!("{name}_bias_acc"), next.hinge.bias_acceleration.in_hinge);
         trace.rigid_body(&next.name, next.mass, next.first_moment, next.inertia);
         (
             PartKinematics {
@@ -134,7 +135,7 @@ pub fn kinematics<S: Scalar>(
     links.into_iter().zip(parts).map(beyond).collect()
 }
 
-/// Crosses the hinge of `link` and comes to its part.
+/// Returns the kinematics of a link, from the kinematics of its parent.
 fn link_kinematics<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
@@ -172,7 +173,7 @@ fn rigid_inertia<S: Scalar>(
     for &member in &link.members {
         let body = &context.chain.bodies[member];
         let (origin, rotation) = context.frame(member);
-        // The point as seen from the member.
+        // The point in the frame of the member.
         let seen = rotation.transposed() * (point - origin);
         let mass = numbers.scalar(&body.mass);
         let inertia = match to {
@@ -187,13 +188,13 @@ fn rigid_inertia<S: Scalar>(
     all
 }
 
-/// The places of a link's hinge: the parent's, then the child's.
+/// Returns the attachments of a link's hinge: the parent's, then the child's.
 pub(super) fn attachments<'a>(chain: &'a Chain, link: &Link) -> (&'a Attachment, &'a Attachment) {
     let Hinge { inboard, outboard, .. } = &chain.hinges[link.hinge];
     if link.reversed { (outboard, inboard) } else { (inboard, outboard) }
 }
 
-/// The link that a part moves with; none on the ground.
+/// Returns the link that a part moves with; `None` for the ground.
 pub(super) fn link_of(part: MovesWith) -> Option<LinkId> {
     match part {
         MovesWith::Ground => None,

@@ -1,23 +1,23 @@
-//! Where every part is, and how fast its point moves.
+//! Poses of the links and velocities of their points.
 
 use super::super::EvalContext;
 use super::super::sweep::{Flatten, PerLink};
 use super::LinkKinematics;
 use crate::math::{Mat3, Scalar, Vec3};
 
-/// Where a link's part is.
+/// The pose of a link, and the velocity of its point.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<S> {
-    /// Its point, inertial frame.
+    /// The position of the point in m, inertial frame.
     pub position: Vec3<S>,
-    /// Its work axes to inertial ones.
+    /// Rotation from work axes to inertial axes.
     pub to_inertial: Mat3<S>,
-    /// The velocity of its point, work axes.
+    /// The velocity of the point in m/s, work axes.
     pub velocity: Vec3<S>,
 }
 
 impl<S: Scalar> Pose<S> {
-    /// Of the ground.
+    /// The pose of the ground.
     pub fn ground() -> Self {
         Pose { position: Vec3::zero(), to_inertial: Mat3::identity(), velocity: Vec3::zero() }
     }
@@ -31,7 +31,7 @@ impl<S: Scalar> Flatten<S> for Pose<S> {
     }
 }
 
-/// Where all links are [P, Eq. (12)].
+/// Returns the poses of all links [P, Eq. (12)].
 pub fn poses<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,

@@ -1,4 +1,4 @@
-//! A free direction of a hinge is eliminated: equations (1), (2), (4) and (6).
+//! Elimination of the degrees of freedom of a hinge: equations (1), (2), (4) and (6).
 
 use super::super::hinge::BasisVector;
 use super::super::strategy;
@@ -6,19 +6,19 @@ use super::articulated_body::ArticulatedBody;
 use super::eliminated_dof::EliminatedDof;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
-/// A free direction with its effort and the inertia of its rotor.
+/// A degree of freedom of a hinge.
 #[derive(Clone, Copy)]
 pub struct HingeDof<S> {
-    /// `s`
+    /// Its direction `s`.
     pub direction: BasisVector<S>,
-    /// `τ`
+    /// Its effort `τ`.
     pub effort: S,
-    /// Inertia of its rotor.
+    /// The rotor inertia along it.
     pub armature: S,
 }
 
 impl<S: Scalar> HingeDof<S> {
-    /// The axis whose entries become zero; beside a rotor none do.
+    /// Returns the axis whose entries the elimination sets to zero; none with a rotor.
     fn axis(&self) -> Option<usize> {
         match self.direction {
             BasisVector::Axis(axis) if self.armature.vanishes() => Some(axis),
@@ -27,8 +27,8 @@ impl<S: Scalar> HingeDof<S> {
     }
 }
 
-/// Equation (6), if both are axes that depend on each other: `1 / D` of the second, from `Iᴬ`
-/// before the first was eliminated.
+/// Returns `1 / D` of the second direction by equation (6), from `Iᴬ` before the first elimination.
+/// Both directions must be axes that are coupled.
 fn second_inverse<S: Scalar>(
     (first, old): &(HingeDof<S>, SpatialInertia<S>),
     second: &HingeDof<S>,
@@ -38,7 +38,7 @@ fn second_inverse<S: Scalar>(
     strategy::inverts_early(b).then(|| a * (a * c - b * b).recip())
 }
 
-/// All free directions of a hinge, one after the other.
+/// Eliminates all degrees of freedom of a hinge, one after the other.
 pub fn eliminate<S: Scalar>(
     body: &mut ArticulatedBody<S>,
     dofs: &[HingeDof<S>],
@@ -52,8 +52,8 @@ pub fn eliminate<S: Scalar>(
     dofs.iter().enumerate().map(&mut one).collect()
 }
 
-/// Equations (1), (2) and (4) for one free direction. Equation (6) takes the direction before it,
-/// with `Iᴬ` as it was then, where this is the last.
+/// Eliminates one degree of freedom by equations (1), (2) and (4). For the last one, equation (6)
+/// uses `first`: the degree of freedom before it, with `Iᴬ` before its elimination.
 fn eliminate_one<S: Scalar>(
     body: &mut ArticulatedBody<S>,
     dof: &HingeDof<S>,
@@ -88,7 +88,7 @@ fn eliminate_one<S: Scalar>(
 }
 
 impl<S: Scalar> ArticulatedBody<S> {
-    /// Equation (4) for `Tᴬ`: `t`, and what its squares would be if nothing in them cancelled.
+    /// Applies equation (4) to `Tᴬ`. Returns `t`, and the scales of its squares.
     fn eliminate_constraints(&mut self, dof: &HingeDof<S>, gain: Wrench<S>) -> (Vec<S>, Vec<S>) {
         let (s, axis) = (dof.direction.motion(), dof.axis());
         let t: Vec<S> = self.constraint_wrenches.iter().map(|&column| s.power(column)).collect();
@@ -113,12 +113,12 @@ pub mod tests {
     use super::{BasisVector, HingeDof, SpatialInertia, Wrench, eliminate};
     use crate::math::{Mat3, Scalar, Structured, Sym3, Vec3};
 
-    /// A number that is not known while compiling.
+    /// A value that is not known while compiling.
     pub fn some(value: f64) -> Structured<f64> {
         Structured::variable(value)
     }
 
-    /// What a hinge may carry: all entries depend on each other, those about y and z most.
+    /// An articulated body without zero entries; the entries about y and z are coupled most.
     pub fn articulated_body() -> ArticulatedBody<Structured<f64>> {
         let inertia = SpatialInertia {
             linear: Sym3([3.1, 2.7, 4.3, 0.3, -0.2, 0.7].map(some)),
@@ -137,8 +137,8 @@ pub mod tests {
         }
     }
 
-    /// Without exact zeros, rounding leaks back into the angular block of every ball and grows from
-    /// one to the next until no digit is left.
+    /// Without exact zeros, rounding errors leak back into the angular block at every ball and grow
+    /// from ball to ball until no digit is left.
     #[test]
     fn what_a_ball_lets_go_is_exactly_zero() {
         let mut body = articulated_body();

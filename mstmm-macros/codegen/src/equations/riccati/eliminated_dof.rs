@@ -1,37 +1,37 @@
-//! What the elimination of a free direction leaves for the way back.
+//! The quantities of an eliminated degree of freedom that the outward sweep needs.
 
 use super::super::hinge::{BasisVector, dot};
 use crate::math::{Scalar, Wrench};
 
-/// A free direction that has been eliminated.
+/// An eliminated degree of freedom; the letters are those of [`super`].
 pub struct EliminatedDof<S> {
-    /// `s`
+    /// Its direction `s`.
     pub direction: BasisVector<S>,
-    /// `D`
+    /// The pivot `D`.
     pub pivot: S,
     /// `1 / D`
     pub inverse: S,
-    /// `K`
+    /// The gain `K`.
     pub gain: Wrench<S>,
-    /// `ε / D`
+    /// `u / D`
     pub u_over_d: S,
     /// `t`
     pub t: Vec<S>,
     /// `t / D`
     pub t_over_d: Vec<S>,
-    /// What the squares of `t` would be if nothing in them cancelled.
+    /// The scale of `t²`: its value if nothing cancelled in `t`.
     pub t_scales: Vec<S>,
-    /// The axis that it is, if what follows waits for `1 / D`.
+    /// The axis of the direction, if later computations wait for `1 / D`.
     pub waiting_axis: Option<usize>,
 }
 
 impl<S: Scalar> EliminatedDof<S> {
-    /// `K` without its entry along the axis, which is one.
+    /// Returns `K` without its entry along the axis, which is one.
     pub fn gain_without(&self, axis: usize) -> Wrench<S> {
         Wrench::from_fn(|k| if k == axis { S::zero() } else { self.gain.at(k) })
     }
 
-    /// Takes the reactions of a closing hinge into `ε`.
+    /// Adds the constraint forces of a loop hinge to `u`.
     pub fn add_reactions(&mut self, reactions: &[S]) {
         self.u_over_d = self.u_over_d - dot(&self.t_over_d, reactions);
     }

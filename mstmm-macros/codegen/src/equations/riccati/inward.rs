@@ -1,4 +1,4 @@
-//! From the free ends to the ground: equations (1), (2) and (4).
+//! The inward sweep, from the free ends to the ground: equations (1), (2) and (4).
 
 use super::super::kinematics::HingeKinematics;
 use super::super::motion_problem::{AffineWrench, MotionProblem};
@@ -11,19 +11,19 @@ use super::loop_sums::LoopSums;
 use crate::ids::LinkId;
 use crate::math::{Scalar, SpatialInertia, Wrench};
 
-/// What comes out of the way to the ground.
+/// The result of the inward sweep.
 pub struct InwardSweep<S> {
-    /// What each link has eliminated.
+    /// The eliminated degrees of freedom of every link.
     pub eliminated: PerLink<Vec<EliminatedDof<S>>>,
-    /// What is left of `F = Iᴬ a + pᴬ` then.
+    /// `F = Iᴬ a' + pᴬ` of every link after the elimination.
     pub affine_wrenches: PerLink<AffineWrench<S>>,
-    /// The open loop as it arrives at the ground.
+    /// The sums of the loop constraints at the ground.
     pub loop_sums: Option<LoopSums<S>>,
-    /// `D` of all directions, the last link first.
+    /// The pivots `D` of all degrees of freedom, the last link first.
     pub pivots: Vec<HingePivot<S>>,
 }
 
-/// From the free ends to the ground.
+/// Sweeps from the free ends to the ground.
 pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>) -> InwardSweep<S> {
     let step = |link: LinkId, mut body: ArticulatedBody<S>, parent: &mut ArticulatedBody<S>| {
         let hinge = &problem.links[link].hinge;
@@ -33,9 +33,9 @@ pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>)
             "F = I a + p, [P, Eqs. (18), (19), (25), (35)]",
         );
         trace.inertia(&format!("{}_articulated", hinge.name), body.inertia);
-        trace.wrench(&format!("{}_bias", hinge.name), body.bias_force);
+        trace.wrench(&format!("{}_bias_force", hinge.name), body.bias_force);
         for (number, &wrench) in body.constraint_wrenches.iter().enumerate() {
-            trace.wrench(&format!("{}_column{number}", hinge.name), wrench);
+            trace.wrench(&format!("{}_constraint{number}", hinge.name), wrench);
         }
         let dofs = dofs(hinge, &problem.efforts[link]);
         let steps = eliminate(&mut body, &dofs);
@@ -71,7 +71,8 @@ pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>)
     InwardSweep { eliminated, affine_wrenches, loop_sums: ground.loop_sums, pivots }
 }
 
-/// What every link has of itself, the closing hinge where it hangs on the link.
+/// Returns the articulated bodies before the sweep: the links' own parts, with the constraint
+/// wrenches of the loop hinge at its inboard link.
 fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
     let of = |(link, &bias_force): (LinkId, &Wrench<S>)| {
         let inertia = problem.inertia(link);
@@ -93,7 +94,7 @@ fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
     all
 }
 
-/// The free directions of a hinge with their efforts.
+/// Returns the degrees of freedom of a hinge.
 fn dofs<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
     let given = efforts.iter().zip(&hinge.basis.armature);
     let columns = hinge.basis.columns.iter().zip(given);
@@ -102,7 +103,7 @@ fn dofs<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>
         .collect()
 }
 
-/// What a link divides by.
+/// Returns the pivots of a link's hinge.
 fn pivots<S: Scalar>(
     link: LinkId,
     body: &ArticulatedBody<S>,
@@ -129,7 +130,7 @@ fn record<S: Scalar>(
         trace.number(format!("{name}_d{number}_inverse"), step.inverse);
         trace.number(format!("{name}_d{number}_scale"), pivot.scale);
         trace.wrench(&format!("{name}_gain{number}"), step.gain);
-        trace.number(format!("{name}_rest{number}"), step.u_over_d);
+        trace.number(format!("{name}_u_over_d{number}"), step.u_over_d);
         for (constraint, &t) in step.t.iter().enumerate() {
             trace.number(format!("{name}_constraint{constraint}_t{number}"), t);
         }

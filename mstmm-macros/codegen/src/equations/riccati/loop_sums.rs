@@ -1,4 +1,5 @@
-//! The loop that a closing hinge closes, from its link to the ground: equations (4) and (5).
+//! The sums of the loop constraints, from the link of the loop hinge to the ground: equations (4)
+//! and (5).
 
 use super::super::Trace;
 use super::super::constraint_forces::{self, ConstraintForces, ConstraintSystem, DelassusTerm};
@@ -8,21 +9,21 @@ use super::super::sweep::Flatten;
 use super::eliminated_dof::EliminatedDof;
 use crate::math::{Motion, Scalar, Wrench};
 
-/// The constraints of a closing hinge that is farther out.
+/// The sums of equation (4), for a loop hinge outboard of a link.
 #[derive(Clone)]
 pub struct LoopSums<S> {
     /// `γ`
     gamma: Vec<S>,
-    /// What `Λ` is the sum of, outside of repeated parts.
+    /// The terms of `Λ` outside of repeated parts.
     terms: Vec<DelassusTerm<S>>,
-    /// The part of `Λ` that repeated parts add, below the diagonal and on it, by rows.
+    /// The part of `Λ` from repeated parts: its lower triangle with the diagonal, by rows.
     repeated: Vec<Vec<S>>,
-    /// What the diagonal of `Λ` would be if nothing in it cancelled.
+    /// The diagonal of `Λ` if nothing cancelled in it.
     scales: Vec<S>,
 }
 
 impl<S: Scalar> LoopSums<S> {
-    /// At the link that the closing hinge hangs on.
+    /// Returns the sums at the link inboard of the loop hinge.
     pub fn new(count: usize) -> Self {
         let row = |row: usize| vec![S::zero(); row + 1];
         LoopSums {
@@ -33,7 +34,8 @@ impl<S: Scalar> LoopSums<S> {
         }
     }
 
-    /// Equation (4) for the directions of a hinge, except for `Tᴬ`.
+    /// Adds the eliminated degrees of freedom of a hinge by equation (4), which also changes `Tᴬ`
+    /// elsewhere.
     pub fn add_dofs(&mut self, steps: &[EliminatedDof<S>], is_repeated: bool) {
         steps.iter().for_each(|step| self.add_dof(step, is_repeated));
     }
@@ -54,7 +56,7 @@ impl<S: Scalar> LoopSums<S> {
         }
     }
 
-    /// What joins `a` on the way over a hinge.
+    /// Adds the bias acceleration of a hinge to `γ`.
     pub fn add_bias_acceleration(
         &mut self,
         bias: BiasAcceleration<S>,
@@ -66,7 +68,8 @@ impl<S: Scalar> LoopSums<S> {
         }
     }
 
-    /// The part of equation (5) that the ground makes, from its `a` at a root's point.
+    /// Adds the acceleration that the ground gives to the point of a root, to `γ`: part of equation
+    /// (5).
     pub fn with_base_acceleration(mut self, a: Motion<S>, wrenches: &[Wrench<S>]) -> Self {
         for (gamma, wrench) in self.gamma.iter_mut().zip(wrenches) {
             *gamma = *gamma + a.power(*wrench);
@@ -84,16 +87,16 @@ impl<S: Scalar> Flatten<S> for LoopSums<S> {
     }
 }
 
-/// Equation (5) solved for the reactions, from the loop as it has arrived at the ground.
+/// Solves equation (5) for the constraint forces, from the sums at the ground.
 pub fn solve_constraints<S: Scalar>(
     problem: &MotionProblem<S>,
     sums: Option<LoopSums<S>>,
     trace: &mut Trace<S>,
 ) -> ConstraintForces<S> {
     let Some(constraints) = &problem.loop_constraints else { return ConstraintForces::none() };
-    trace.section("closure", "Closure", "[P, Eqs. (9) to (11)] at the held end");
+    trace.section("closure", "Loop constraints", "[P, Eqs. (9) to (11)] at the loop hinge");
     let rows = &constraints.loop_hinge.constraints;
-    // Where the closing hinge hangs on the ground, nothing it does moves anything.
+    // If the inboard side of the loop hinge is the ground, the constraint forces move nothing.
     let sums = sums.unwrap_or_else(|| LoopSums {
         gamma: problem.gamma_on_ground(),
         ..LoopSums::new(rows.len())
@@ -106,8 +109,8 @@ pub fn solve_constraints<S: Scalar>(
     }
     let rhs: Vec<S> = gamma.iter().zip(&constraints.targets).map(|(&g, &r)| g - r).collect();
     for (k, (&scale, &rhs)) in scales.iter().zip(&rhs).enumerate() {
-        trace.number(format!("closure_size{k}"), scale);
-        trace.number(format!("closure_right{k}"), rhs);
+        trace.number(format!("closure_scale{k}"), scale);
+        trace.number(format!("closure_rhs{k}"), rhs);
     }
     let rank = constraints.rank.clone();
     constraint_forces::solve(&ConstraintSystem { terms, repeated, scales, rhs, rank }, trace)

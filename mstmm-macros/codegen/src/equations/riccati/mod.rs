@@ -1,6 +1,6 @@
-//! Riccati transfer: from the free ends to the ground, the relation between `F` and `a` at every
-//! point; from the ground outwards, the accelerations. In axes fixed in the parts it is the
-//! articulated-body recursion (R. Featherstone, *Rigid Body Dynamics Algorithms*, section 7.3).
+//! Riccati transfer: inward from the free ends, the relation between `F` and `a` at every point;
+//! outward from the ground, the accelerations. In axes fixed in the parts this is the
+//! articulated-body algorithm (R. Featherstone, *Rigid Body Dynamics Algorithms*, section 7.3).
 //!
 //! # Notation
 //!
@@ -8,38 +8,41 @@
 //!
 //! | symbol | in code | meaning |
 //! |---|---|---|
-//! | `Iᴬ`, `pᴬ` | [`articulated_body::ArticulatedBody`] | articulated inertia and bias, `F = Iᴬ a + pᴬ` |
-//! | `s`, `τ` | [`eliminate::HingeDof`] | a free direction of the link's hinge, `sᵀ F = τ` |
-//! | `U`, `D`, `K`, `ε` | [`eliminated_dof::EliminatedDof`] | of the elimination of `s`, equation (1) |
-//! | `a'` | `carried` | `a` but for the hinge's own rates, from `a` of the parent |
-//! | `v̇` | `amounts` | accelerations along the free directions, `a = a' + Σ s v̇` |
-//! | `T`, `λ` | `closing` | directions that the closing hinge holds, its reactions along them |
-//! | `Tᴬ`, `γ`, `Λ` | [`loop_sums::LoopSums`] | `T` as it acts here, and the sums of equation (5) |
+//! | `Iᴬ`, `pᴬ` | [`articulated_body::ArticulatedBody`] | articulated inertia and bias force, `F = Iᴬ a + pᴬ` |
+//! | `s`, `τ` | [`eliminate::HingeDof`] | a column of the motion subspace in the elimination basis and its effort, `sᵀ F = τ` |
+//! | `U`, `D`, `K`, `u` | [`eliminated_dof::EliminatedDof`] | of the elimination of `s`, equation (1) |
+//! | `a'` | `inherited` | `a` without the hinge's own accelerations: `X a_p + b` |
+//! | `v̇` | `basis_accelerations` | accelerations along the directions `s`, `a = a' + Σ s v̇` |
+//! | `T`, `λ` | `loop_hinge` | constraint wrenches of the loop hinge, constraint forces |
+//! | `Tᴬ`, `γ`, `Λ` | [`loop_sums::LoopSums`] | `T` propagated to the link, and the sums of equation (5) |
 //!
 //! # Equations
 //!
-//! Inwards, one free direction of a hinge after the other is eliminated:
+//! Inward, the degrees of freedom of each hinge are eliminated one after the other:
 //!
-//! (1)  `U = Iᴬ s`, `D = sᵀ U`, `K = U / D`, `ε = τ − sᵀ pᴬ`
-//! (2)  `Iᴬ ← Iᴬ − K Uᵀ`, `pᴬ ← pᴬ + K ε`
+//! (1)  `U = Iᴬ s`, `D = sᵀ U`, `K = U / D`, `u = τ − sᵀ pᴬ`
+//! (2)  `Iᴬ ← Iᴬ − K Uᵀ`, `pᴬ ← pᴬ + K u`
 //!
-//! and outwards
+//! and outward
 //!
-//! (3)  `v̇ = ε / D − Kᵀ a'`
+//! (3)  `v̇ = u / D − Kᵀ a'`
 //!
-//! What is left has `Iᴬ s = 0` and `sᵀ pᴬ = τ`. Where `s` is an axis both are set exactly, and `Iᴬ`
-//! keeps one of each pair of entries only: without that, chains of balls lose all digits.
+//! A rotor with inertia `H` along `s` adds `H` to `D`. Without a rotor, the result has `Iᴬ s = 0`
+//! and `sᵀ pᴬ = τ`. If `s` is an axis, both are set exactly, and of each pair of symmetric entries
+//! of `Iᴬ` only one is stored. Otherwise chains of balls would lose all digits.
 //!
-//! A closing hinge acts on its link with unknown reactions, `F = Iᴬ a + pᴬ + Tᴬ λ`, and demands
-//! what `a` of that link is to be along them. The same sweep carries both to the ground:
+//! A loop hinge acts on its inboard link with unknown constraint forces, `F = Iᴬ a + pᴬ + Tᴬ λ`,
+//! and prescribes `Tᵀ a` of that link. The same sweep propagates both to the ground:
 //!
-//! (4)  `t = Tᴬᵀ s`, `Tᴬ ← Tᴬ − K tᵀ`, `γ ← γ + t ε / D`, `Λ ← Λ + t tᵀ / D`
+//! (4)  `t = Tᴬᵀ s`, `Tᴬ ← Tᴬ − K tᵀ`, `γ ← γ + t u / D`, `Λ ← Λ + t tᵀ / D`
 //! (5)  `Tᵀ a = γ + Tᴬᵀ a_ground − Λ λ`
 //!
-//! Where what follows waits for `1 / D`, (2) is `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and in (3) `Kᵀ a'` is taken
-//! apart into what depends on the parent and what does not. The last of several axes of a hinge
-//! need not wait for the one before: with what `Iᴬ` was before that one, `a` and `c` on its
-//! diagonal for the two and `b` beside it, `D = c − b² / a`:
+//! If later computations would wait for `1 / D`, (2) is computed as `Iᴬ ← Iᴬ − (U Uᵀ) / D`, and `Kᵀ
+//! a'` in
+//! (3) is split into a part that depends on the parent and a part that does not. The last of several axes of
+//! a hinge does not wait for the axis before it: with the entries `a` and `c` of the two axes on
+//! the diagonal of `Iᴬ` and their coupling `b`, all before that axis is eliminated, `D = c − b² /
+//! a` and
 //!
 //! (6)  `1 / D = a / (a c − b²)`
 
@@ -58,7 +61,7 @@ use crate::math::Scalar;
 use inward::{InwardSweep, sweep_inward};
 use outward::sweep_outward;
 
-/// The movement, and the pivots `D`.
+/// Solves the problem by the Riccati transfer. Returns the solution and the pivots `D`.
 pub fn solve<S: Scalar>(
     problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
@@ -81,8 +84,8 @@ pub fn solve<S: Scalar>(
     )
 }
 
-/// For methods that solve for the movement in another way: pivots, the reactions of a closing
-/// hinge, and what hinges transmit.
+/// Returns pivots, constraint forces and affine wrenches, for methods that compute the
+/// accelerations differently.
 pub fn pivots_and_constraint_forces<S: Scalar>(
     problem: &MotionProblem<S>,
     trace: &mut Trace<S>,
@@ -91,8 +94,8 @@ pub fn pivots_and_constraint_forces<S: Scalar>(
         sweep_inward(problem, &mut Trace::silent());
     trace.section(
         "pivots",
-        "Inertia beyond the hinges, to be divided by",
-        "the pivots of the Riccati transfer",
+        "Pivots: inertia outboard of each degree of freedom",
+        "of the Riccati transfer",
     );
     for pivot in &pivots {
         trace.number(format!("{}_d", problem.links[pivot.link].hinge.name), pivot.value);

@@ -1,4 +1,4 @@
-//! The way back, from the ground outwards: equation (3).
+//! The outward sweep, from the ground to the free ends: equation (3).
 
 use super::super::Trace;
 use super::super::hinge::BasisVector;
@@ -8,7 +8,8 @@ use super::eliminated_dof::EliminatedDof;
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar};
 
-/// The accelerations `v̇` along all free directions and the accelerations of all points.
+/// Returns the accelerations `v̇` along the basis vectors of all hinges, and the accelerations of
+/// all points.
 pub(super) fn sweep_outward<S: Scalar>(
     problem: &MotionProblem<S>,
     eliminated: &PerLink<Vec<EliminatedDof<S>>>,
@@ -22,21 +23,20 @@ pub(super) fn sweep_outward<S: Scalar>(
                 format!("Acceleration of `{}`", hinge.name),
                 "[P, Eqs. (13), (36), (44)]",
             );
-            let carried = problem.acceleration_from_parent(link, parent);
+            let inherited = problem.acceleration_from_parent(link, parent);
             let (rates, acceleration) = match &eliminated[link][..] {
                 [step @ EliminatedDof { waiting_axis: Some(axis), .. }] => {
-                    advance_early(problem, link, (parent, carried), step, *axis)
+                    advance_early(problem, link, (parent, inherited), step, *axis)
                 }
-                steps => advance(carried, steps, &hinge.basis.armature),
+                steps => advance(inherited, steps, &hinge.basis.armature),
             };
-            trace.motion(&format!("{}_a", hinge.name), acceleration);
+            trace.motion(&format!("{}_acc", hinge.name), acceleration);
             (acceleration, rates)
         });
     (rates, accelerations)
 }
 
-/// Adds the parts of a hinge's free directions to `acceleration`; returns their amounts `v̇` as
-/// well.
+/// Adds the hinge's own motion to `acceleration`; returns `v̇` and the sum.
 fn advance<S: Scalar>(
     mut acceleration: Motion<S>,
     steps: &[EliminatedDof<S>],
@@ -46,7 +46,7 @@ fn advance<S: Scalar>(
     for (step, armature) in steps.iter().zip(armatures).rev() {
         let before = acceleration;
         let rate = match step.direction {
-            // The new component follows without the old one, which then matters to `v̇` alone.
+            // The new component follows without the old one, which only affects `v̇`.
             BasisVector::Axis(axis) if armature.vanishes() => {
                 let new = step.u_over_d - before.power(step.gain_without(axis));
                 acceleration = before.with_entry(axis, new);
@@ -63,12 +63,12 @@ fn advance<S: Scalar>(
     (rates, acceleration)
 }
 
-/// The same for a single axis, with `Kᵀ a'` of equation (3) taken apart: most of it is known before
-/// `a` of the parent is, and need not wait for it.
+/// Does the same for a single axis, with `Kᵀ a'` of equation (3) split. Most of it is known before
+/// `a` of the parent, and does not wait for it.
 fn advance_early<S: Scalar>(
     problem: &MotionProblem<S>,
     link: LinkId,
-    (parent, carried): (Motion<S>, Motion<S>),
+    (parent, inherited): (Motion<S>, Motion<S>),
     step: &EliminatedDof<S>,
     axis: usize,
 ) -> (Vec<S>, Motion<S>) {
@@ -76,7 +76,7 @@ fn advance_early<S: Scalar>(
     let hinge = &problem.links[link].hinge;
     let known = step.u_over_d - problem.bias_accelerations[link].power(&hinge.to_parent, gain);
     let new = known - parent.power(hinge.wrench_to_parent(gain));
-    (vec![new - carried.at(axis)], carried.with_entry(axis, new))
+    (vec![new - inherited.at(axis)], inherited.with_entry(axis, new))
 }
 
 #[cfg(test)]
@@ -86,7 +86,7 @@ mod tests {
     use super::{BasisVector, Motion, advance};
     use crate::math::{Scalar, Structured, Vec3};
 
-    /// `Sᵀ (A (a' + S v̇) + e) + H v̇ = τ` for all directions of a hinge at once.
+    /// Checks `Sᵀ (I (a' + S v̇) + p) + H v̇ = τ` for all degrees of freedom of a hinge together.
     fn check(columns: &[usize], armatures: &[f64]) {
         let mut body = articulated_body();
         let (inertia, load) = (body.inertia, body.bias_force);
@@ -104,17 +104,16 @@ mod tests {
             })
             .collect();
         let steps = eliminate(&mut body, &dofs);
-        let carried = Motion {
+        let inherited = Motion {
             linear: Vec3([0.7, -0.2, 1.9].map(some)),
             angular: Vec3([-0.4, 0.6, 0.5].map(some)),
         };
         let rotors: Vec<Structured<f64>> = dofs.iter().map(|c| c.armature).collect();
-        let (rates, acceleration) = advance(carried, &steps, &rotors);
+        let (rates, acceleration) = advance(inherited, &steps, &rotors);
         let transmitted = inertia.times(acceleration) + load;
         for (dof, rate) in dofs.iter().zip(rates) {
             let found = dof.direction.motion().power(transmitted) + dof.armature * rate;
-            // Sums of products up to 10, pivots above 0.1 of what they come from: a hundred
-            // roundings.
+            // Sums of products up to 10, pivots above 0.1 of their terms: a hundred roundings.
             let error = (found - dof.effort).value().abs();
             assert!(error < 10.0 * 100.0 * f64::EPSILON, "{columns:?} {armatures:?}: {error:e}");
         }
