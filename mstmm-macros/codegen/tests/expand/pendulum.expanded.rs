@@ -240,7 +240,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let t1_ = cos_joint_angle_ * known_joint_gain_fy_;
         let joint_acc_lin_y_ = cos_joint_angle_ * c_(9.8);
         *n7_22_ = joint_acc_lin_y_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Loads on `rod`.
         let minus_rod_velocity_wrench_fx_ = known_rod_first_moment_x_ * t0_;
         /// Results: 4 mul, 0 add, 0 reciprocal.
@@ -248,7 +248,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         /// Acceleration of `joint`.
         let joint_acc_lin_x_ = sin_joint_angle_ * c_(9.8);
         *n7_21_ = joint_acc_lin_x_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Results.
         let t5_ = sin_joint_angle_ * known_rod_first_moment_x_;
         /// Acceleration of `joint`.
@@ -271,13 +271,13 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         }
         at_.accelerations.data.0 = [[joint_acc_ang_z_]];
         *n7_26_ = joint_acc_ang_z_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Wrench in `joint`, [P, Eqs. (18), (19)]: 3 mul, 2 add, 0 reciprocal.
         let t2_ = known_rod_mass_ * joint_acc_lin_y_;
         /// Results.
         let t4_ = c_(0.5) * t3_;
         at_.kinetic_energy = t4_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Wrench in `joint`.
         let minus_joint_wrench_fx_ = T::mul_neg_add(
             known_rod_mass_,
@@ -285,11 +285,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             minus_rod_velocity_wrench_fx_,
         );
         *n7_15_ = T::negate(minus_joint_wrench_fx_);
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Results.
         let t6_ = c_(9.8) * t5_;
         at_.potential_energy = t6_;
-        ::mstmm::generated::written();
+        ::mstmm::generated::store_fence();
         /// Wrench in `joint`.
         let joint_wrench_fy_ = T::mul_add(
             known_rod_first_moment_x_,
