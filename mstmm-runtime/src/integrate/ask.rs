@@ -1,8 +1,8 @@
-//! What acts on a chain during a step.
+//! Evaluation of the inputs during a step.
 
 use crate::{Chain, Error};
 
-/// The inputs at a time and a state, checked.
+/// Evaluates the inputs at a time and a state, and checks them.
 ///
 /// # Errors
 /// Those of `inputs`, and of [`Chain::check_inputs`].
@@ -18,7 +18,7 @@ pub(super) fn ask<C: Chain, E: From<Error>>(
     Ok(acting)
 }
 
-/// Inputs that cannot fail, as inputs that may.
+/// Converts inputs that cannot fail to inputs that can.
 #[inline(always)]
 pub(super) fn always<C: Chain>(
     mut inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,

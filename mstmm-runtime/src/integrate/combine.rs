@@ -1,35 +1,34 @@
-//! Arithmetic on whole states, entry by entry in place: states may be large, and never pass through
-//! the stack.
+//! Arithmetic on whole states, entry by entry in place: states may be large and are never copied to the stack.
 
 use crate::{ChainState, Mask, Scalar};
 
-/// Changes every coordinate and every rate of `state` by what stands at its place in `other`.
+/// Changes each coordinate and each rate of `state` by the same entry of `other`.
 #[inline(always)]
 fn change<S: ChainState>(state: &mut S, other: &S, change: impl Fn(&mut S::Scalar, S::Scalar)) {
     state
         .coordinates_mut()
         .iter_mut()
         .zip(other.coordinates())
-        .for_each(|(entry, &given)| change(entry, given));
+        .for_each(|(entry, &other)| change(entry, other));
     state
         .rates_mut()
         .iter_mut()
         .zip(other.rates())
-        .for_each(|(entry, &given)| change(entry, given));
+        .for_each(|(entry, &other)| change(entry, other));
 }
 
 /// `to` = `from`, with its time.
 pub(super) fn copy<S: ChainState>(to: &mut S, from: &S) {
-    change(to, from, |entry, given| *entry = given);
+    change(to, from, |entry, other| *entry = other);
     to.set_time(from.time());
 }
 
-/// `sum` += weight · `rate`; its time stays.
+/// `sum` += weight · `rate`; the time is unchanged.
 pub(super) fn add_scaled<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
-    change(sum, rate, |entry, given| *entry = weight.mul_add(given, *entry));
+    change(sum, rate, |entry, other| *entry = weight.mul_add(other, *entry));
 }
 
-/// `to` = `from` + factor · `rate`; its time stays.
+/// `to` = `from` + factor · `rate`; the time is unchanged.
 pub(super) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar, rate: &S) {
     let sum = |((to, &from), &rate): ((&mut S::Scalar, &S::Scalar), &S::Scalar)| {
         *to = factor.mul_add(rate, from);
@@ -38,23 +37,23 @@ pub(super) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar,
     to.rates_mut().iter_mut().zip(from.rates()).zip(rate.rates()).for_each(sum);
 }
 
-/// The coordinates of `sum` += weight · those of `rate`; all else stays.
+/// The coordinates of `sum` += weight · those of `rate`; all else is unchanged.
 pub(super) fn add_scaled_coordinates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
     sum.coordinates_mut()
         .iter_mut()
         .zip(rate.coordinates())
-        .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
+        .for_each(|(entry, &other)| *entry = weight.mul_add(other, *entry));
 }
 
-/// The rates of `sum` += weight · those of `rate`; all else stays.
+/// The rates of `sum` += weight · those of `rate`; all else is unchanged.
 pub(super) fn add_scaled_rates<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S) {
     sum.rates_mut()
         .iter_mut()
         .zip(rate.rates())
-        .for_each(|(entry, &given)| *entry = weight.mul_add(given, *entry));
+        .for_each(|(entry, &other)| *entry = weight.mul_add(other, *entry));
 }
 
-/// `sum` = Σ weight · rate; its time stays.
+/// `sum` = Σ weight · rate; the time is unchanged.
 #[inline(always)]
 pub(super) fn weighted_sum<S: ChainState, const N: usize>(
     sum: &mut S,
@@ -69,27 +68,26 @@ pub(super) fn weighted_sum<S: ChainState, const N: usize>(
     }
 }
 
-/// `end` = `start` + step · `end`; its time stays.
+/// `end` = `start` + step · `end`; the time is unchanged.
 ///
-/// The mean rate is summed up first and `start` added last, so that `start` is rounded once.
+/// The mean rate is summed first and `start` is added last, so `start` is rounded once.
 pub(super) fn start_plus_scaled<S: ChainState>(end: &mut S, start: &S, step: S::Scalar) {
-    change(end, start, |entry, given| *entry = step.mul_add(*entry, given));
+    change(end, start, |entry, other| *entry = step.mul_add(*entry, other));
 }
 
-/// Whether every coordinate, every rate and the time are finite, in every lane.
+/// Returns whether all coordinates, all rates and the time are finite, in all lanes.
 pub(super) fn is_finite<S: ChainState>(state: &S) -> bool {
     state.time().is_finite().all() && has_finite_entries(state)
 }
 
-/// Whether every coordinate and every rate is finite, in every lane; for rates of change, whose
-/// time means nothing.
+/// Returns whether all coordinates and all rates are finite, in all lanes; for derivatives, whose time is unspecified.
 pub(super) fn has_finite_entries<S: ChainState>(state: &S) -> bool {
     entries(state)
         .fold(S::Scalar::default().is_finite(), |all, value| all & value.is_finite())
         .all()
 }
 
-/// All coordinates, then all rates.
+/// Returns all coordinates, then all rates.
 pub(super) fn entries<S: ChainState>(state: &S) -> impl Iterator<Item = S::Scalar> {
     state.coordinates().iter().chain(state.rates()).copied()
 }

@@ -1,20 +1,20 @@
-//! What methods with a fixed step share: the clock, the way to an end time, the end of a step.
+//! The parts that all methods with a fixed step share: the clock, the steps to an end time, the end of a step.
 
 use super::Real;
 use super::ask::ask;
 use super::combine::{copy, is_finite};
 use crate::{Chain, ChainState, Error, Scalar};
 
-/// A method that takes steps of a size that it is told.
+/// A method whose steps have a given size.
 pub(super) trait FixedStep<C: Chain> {
-    /// The size of its steps and its clock.
+    /// Returns the step size and the clock.
     fn pace(&mut self) -> &mut Pace<C::Scalar>;
 
-    /// Takes `state` from its own time over `span`.
+    /// Integrates `state` over one step.
     ///
     /// # Errors
     /// Those of `inputs` and of [`Chain::derivative_into`], and [`Error::NotFinite`] if the result is
-    /// not finite. `state` is left as it was.
+    /// not finite. `state` is then unchanged.
     fn take<E: From<Error>>(
         &mut self,
         chain: &C,
@@ -24,7 +24,7 @@ pub(super) trait FixedStep<C: Chain> {
     ) -> Result<(), E>;
 }
 
-/// One whole step.
+/// Takes one step of full size.
 pub(super) fn step<C: Chain, E: From<Error>>(
     method: &mut impl FixedStep<C>,
     chain: &C,
@@ -39,7 +39,7 @@ pub(super) fn step<C: Chain, E: From<Error>>(
     Ok(())
 }
 
-/// Whole steps and a shorter one that ends at the time `end`.
+/// Takes steps of full size and a last one that ends at the time `end`.
 pub(super) fn advance_to<C: Chain, E: From<Error>>(
     method: &mut impl FixedStep<C>,
     chain: &C,
@@ -64,7 +64,7 @@ pub(super) fn advance_to<C: Chain, E: From<Error>>(
     Ok(())
 }
 
-/// The end of every step: sets the time of `result`, projects it, and writes it to `state`.
+/// Ends a step: sets the time of `result`, normalises and projects it, and copies it to `state`.
 pub(super) fn arrive<C: Chain, E: From<Error>>(
     chain: &C,
     result: &mut C::State,
@@ -82,14 +82,14 @@ pub(super) fn arrive<C: Chain, E: From<Error>>(
     Ok(())
 }
 
-/// How long one step is, and the time at its end.
+/// The size of a step, and the time at its end.
 #[derive(Clone, Copy)]
 pub(super) struct Span<T> {
     pub(super) step: T,
     pub(super) end: T,
 }
 
-/// The size of steps, and the clock that adds them up.
+/// The step size, and the clock that adds up the steps.
 #[derive(Clone, Copy)]
 pub(super) struct Pace<T> {
     pub(super) step: T,
@@ -101,20 +101,20 @@ impl<T: Scalar> Pace<T> {
         Self { step, clock: Clock { time: T::default(), lost: T::default() } }
     }
 
-    /// A step of full size from `now`, and the clock after it.
+    /// Returns a step of full size from `now`, and the clock after it.
     fn whole(&self, now: T, step: T) -> (Span<T>, Clock<T>) {
         let clock = self.clock.advanced(now, step);
         (Span { step, end: clock.time }, clock)
     }
 
-    /// The next step towards `end`: a whole one, or what is left if that is shorter, or longer by
-    /// no more than rounding of the times. Of several lanes the worst one decides.
+    /// Returns the next step towards `end`: a step of full size, or the time left if that is shorter, or longer by no
+    /// more than the rounding of the times. The lane with the largest value decides.
     fn towards(&self, now: T, end: T::Real) -> (Span<T>, Clock<T>) {
         let time = now.max_lane();
         let left = (end - time) - self.clock.owed(now).max_lane();
         let size = self.step.max_lane().abs();
         let latest = if end.abs() > time.abs() { end.abs() } else { time.abs() };
-        // Of `end` itself and of the time it is counted from.
+        // The rounding of `end` and of the time at which the count started.
         let rounding = T::Real::epsilon() * latest;
         if left.abs() <= size + rounding {
             let clock = Clock { time: T::splat(end), lost: T::default() };
@@ -125,7 +125,7 @@ impl<T: Scalar> Pace<T> {
     }
 }
 
-/// A time and what rounding took from it.
+/// A time and its rounding error (compensated summation).
 #[derive(Clone, Copy)]
 struct Clock<T> {
     time: T,
@@ -133,17 +133,16 @@ struct Clock<T> {
 }
 
 impl<T: Scalar> Clock<T> {
-    /// What rounding took from the time `now`. If that is not what this clock last said, nothing is
-    /// owed to it.
+    /// Returns the rounding error of the time `now`, or zero if `now` is not the time of this clock.
     fn owed(self, now: T) -> T {
         if self.time == now { self.lost } else { T::default() }
     }
 
-    /// The clock one step after `now`.
+    /// Returns the clock one step after `now`.
     fn advanced(self, now: T, step: T) -> Self {
         let change = step + self.owed(now);
         let time = now + change;
-        // Knuth's two-sum: exact whichever of the two is larger.
+        // Knuth's two-sum, which is exact whichever of the two is larger.
         let back = time - now;
         Self { time, lost: (now - (time - back)) + (change - back) }
     }
@@ -243,8 +242,8 @@ macro_rules! advance_methods {
 }
 pub(super) use advance_methods;
 
-/// `Clone` and `Debug` of a method, whose first field is its [`Pace`]. Derived, both would ask the
-/// same of the chain's own type.
+/// Implements `Clone` and `Debug` for a method whose first field is its [`Pace`]. Derived implementations would require
+/// them of the type of the chain.
 macro_rules! clone_and_debug {
     ($method:ident { $($field:ident),* }) => {
         impl<C: Chain> Clone for $method<C> {

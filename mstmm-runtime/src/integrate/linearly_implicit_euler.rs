@@ -1,20 +1,20 @@
-//! Euler's method for stiff springs.
+//! The linearly implicit Euler method.
 
 use super::ask::{always, ask};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, clone_and_debug};
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
 
-/// The linearly implicit method of Euler with a fixed step, for springs, dampers and limits too
-/// stiff for the step: order one at one evaluation a step.
+/// The linearly implicit Euler method with a fixed step, for springs, dampers and limits that are too stiff for the
+/// step: order one with one evaluation per step.
 ///
-/// v ← v + h v̇ with the rate of [`Chain::implicit_derivative_into`], which looks ahead to what
-/// springs and dampers in hinges will do during the step, then q ← q + h q̇(q, v) with the new v,
-/// then [`Chain::normalize`]. No spring or damper in a hinge limits the step. What is faster than
-/// the step is damped away rather than followed, and slower oscillations lose energy too, in
-/// proportion to the step.
+/// v ← v + h v̇ with the rate of [`Chain::implicit_derivative_into`], which treats the springs and dampers in hinges
+/// implicitly, then q ← q + h q̇(q, v) with the new v, then [`Chain::normalize`]. Springs and dampers in hinges do not
+/// limit the step. Oscillations that are faster than the step are damped; slower ones lose energy in proportion to the
+/// step.
 ///
-/// Times are added up as in [`Rk4`](super::Rk4).
+/// Times are summed with compensation as in [`Rk4`](super::Rk4).
+#[doc(alias("mjINT_IMPLICITFAST", "Rosenbrock", "implicit"))]
 pub struct LinearlyImplicitEuler<C: Chain> {
     pace: Pace<C::Scalar>,
     rate: C::State,
@@ -26,29 +26,28 @@ advance_methods!(LinearlyImplicitEuler);
 clone_and_debug!(LinearlyImplicitEuler { rate, result });
 
 impl<C: Chain> LinearlyImplicitEuler<C> {
-    /// An integrator whose step is `step` seconds. A negative one goes back in time, where what
-    /// damps drives.
+    /// Makes an integrator with a step of `step` seconds. A negative step goes back in time, where dampers add energy.
     pub fn new(step: C::Scalar) -> Self {
         Self { pace: Pace::new(step), rate: C::State::default(), result: C::State::default() }
     }
 
-    /// The step in s.
+    /// Returns the step size in s.
     pub fn step_size(&self) -> C::Scalar {
         self.pace.step
     }
 
-    /// Sets the step in s, for the steps from now on.
+    /// Sets the step size in s of the next steps.
     pub fn set_step_size(&mut self, step: C::Scalar) {
         self.pace.step = step;
     }
 
-    /// Takes `state` one step further.
+    /// Integrates `state` over one step.
     ///
-    /// `inputs` is asked once, at the start, with the time in s and the state.
+    /// `inputs` is evaluated once, at the start, with the time in s and the state.
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::implicit_derivative_into`] and
-    /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite. `state` is left as it was.
+    /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite. `state` is then unchanged.
     pub fn step(
         &mut self,
         chain: &C,

@@ -1,33 +1,29 @@
-//! Integrators in time, for anything that is a [`Chain`]. Each owns its buffers; nothing is
-//! allocated.
+//! Integrators in time for every [`Chain`]. Each owns its buffers and allocates nothing.
 //!
-//! | method | evaluations a step | order | energy of an oscillation | longest step | take it for |
+//! | method | evaluations per step | order | energy of an oscillation | longest step | use it for |
 //! |---|---|---|---|---|---|
-//! | [`Dopri5`] | 6, or 7 | 5 | error by tolerance | its own | a tolerance that is to be met |
-//! | [`Rk4`] | 4 | 4 | loses (hω)⁶/72 a step | 2.8/ω | small errors at an even pace |
-//! | [`Newmark`] | 4: 1 and 3 iterations | 2 | loses (hω)⁸/128 a step | 2/ω | long runs that oscillate |
-//! | [`SemiImplicitEuler`] | 1 | 1 | swings by hω/2, no drift | 2/ω | real time, many short steps |
-//! | [`LinearlyImplicitEuler`] | 1 | 1 | loses (hω)² a step | any, for springs in hinges | stiff springs and limits |
+//! | [`Dopri5`] | 6 or 7 | 5 | error by tolerance | chosen by the method | a required accuracy |
+//! | [`Rk4`] | 4 | 4 | loses (hω)⁶/72 per step | 2.8/ω | small errors at a constant cost per step |
+//! | [`Newmark`] | 4: 1 and 3 iterations | 2 | loses (hω)⁸/128 per step | 2/ω | long runs of oscillating chains |
+//! | [`SemiImplicitEuler`] | 1 | 1 | varies by hω/2, without drift | 2/ω | real time with many short steps |
+//! | [`LinearlyImplicitEuler`] | 1 | 1 | loses (hω)² per step | any, for springs in hinges | stiff springs and limits |
 //!
-//! h is the step, ω the angular frequency of the oscillation. Orders and energies are those that
-//! the tests measure, on a spring, a driven pendulum, a free top and a pendulum in space, both with
-//! a quaternion. An evaluation is one of [`Chain::derivative_into`], or of
-//! [`Chain::implicit_derivative_into`].
+//! h is the step, ω is the angular frequency of the oscillation. The tests measure orders and energies on a spring, a
+//! driven pendulum, a free top, and a spherical pendulum; the last two have a quaternion. An evaluation is one call of
+//! [`Chain::derivative_into`] or [`Chain::implicit_derivative_into`].
 //!
-//! Both methods of Euler take what depends on rates as it is at the start of a step, besides the
-//! dampers that the linearly implicit one looks ahead to. So the transverse rates of a spinning
-//! body, which turn in it at some Ω, gain (hΩ)² of their energy a step: over more than a fraction of
-//! 1/(hΩ²) take another method.
+//! Both Euler methods evaluate velocity-dependent terms at the start of the step; only the dampers of the linearly
+//! implicit method are implicit. So the transverse rates of a spinning body, which rotate in the body at an angular
+//! velocity Ω, gain (hΩ)² of their energy per step. Use another method for times longer than a fraction of 1/(hΩ²).
 //!
-//! All of them ask a closure for what acts on the chain, with the time in s and a state: `|time,
-//! state| inputs`. It is asked at every stage of a step, so it should be smooth in time within a
-//! step; where it jumps, let a step end.
+//! `step` takes one step. `advance_to` integrates to an end time and `advance_by` over a duration. Every integrator
+//! calls `|time, state| inputs`, with the time in s, at each stage of a step. Inputs should be smooth in time within a
+//! step; let a step end where they jump.
 //!
-//! Inputs that may fail, such as those of a controller that reads sensors, are given to `try_step` and
-//! `try_advance_to` as a `Result` with an error of any type `E: From<Error>`. The first error ends the
-//! step at once and reaches the caller unchanged. The state, the clock, and of [`Dopri5`] the size of
-//! the next step and the dense output are then as before that step. Errors of the chain are converted
-//! to `E`.
+//! Inputs that can fail, such as those of a controller that reads sensors, are given to `try_step`, `try_advance_to` or
+//! `try_advance_by` as a `Result` with an error of any type `E: From<Error>`. The first error ends the step at once and
+//! reaches the caller unchanged. The state and the clock are then those before that step, as are the size of the next
+//! step and the dense output of [`Dopri5`]. Errors of the chain are converted to `E`.
 //!
 //! ```
 //! # use mstmm_runtime::{Chain, ChainState, Error, Rk4};
@@ -43,7 +39,7 @@
 //!     }
 //! }
 //!
-//! /// A torque against the rate that a sensor measures.
+//! /// Returns a torque against the rate that a sensor measures.
 //! fn control<C: Chain<Scalar = f64, Inputs = f64>>(state: &C::State) -> Result<f64, Fault> {
 //!     let measured = state.rates().first().filter(|rate| rate.abs() < 10.0);
 //!     Ok(-0.5 * measured.ok_or(Fault::Sensor)?)
@@ -57,18 +53,17 @@
 //! }
 //! ```
 //!
-//! A quaternion of the given state, or of a prescribed motion, whose length is not between 0.9 and 1.1
-//! is refused with [`Error::InvalidQuaternion`](crate::Error::InvalidQuaternion). The state is checked once in a call
-//! of `step` or `advance_to`; the states of stages, which an integrator makes itself, are not.
+//! A quaternion of the given state or of a prescribed motion whose length is not between 0.9 and 1.1 is refused with
+//! [`Error::InvalidQuaternion`](crate::Error::InvalidQuaternion). The state is checked once in each call; the states of
+//! stages, which an integrator computes itself, are not.
 //!
-//! Quaternions are integrated as four numbers, and brought back to unit length after every step by
-//! [`Chain::normalize`]; a chain held at both ends is then brought back onto its closure by
-//! [`Chain::project`], which asks for what acts on it once more. That moves the state by no more than
-//! the error of the step, so a method keeps its order, and unlike any three angles quaternions have
-//! no pose in which they fail. The stages of a step are off the closure by their error. They take the
-//! rank of a redundant closure from the linkage, not from their state; Bennett's linkage keeps its
-//! energy within 10⁻⁸ in a minute of [`Rk4`] at 1 ms. [`Dopri5::interpolate`] closes nothing: within a step a chain is open
-//! by about the error of the step.
+//! Quaternions are integrated as four numbers. After every step [`Chain::normalize`] scales them to unit length, and
+//! [`Chain::project`] projects a closed chain onto its loop constraints, for which it evaluates the inputs once more.
+//! Both change the state by no more than the error of the step, so a method keeps its order. The stages of a step
+//! violate the loop constraints by their error. They take the rank of redundant constraints from the linkage and not
+//! from their state; Bennett's linkage keeps its energy within 10⁻⁸ in a minute of [`Rk4`] at 1 ms.
+//! [`Dopri5::interpolate`] does not project: within a step the loop constraints are violated by about the error of the
+//! step.
 
 mod ask;
 mod combine;
@@ -89,6 +84,5 @@ pub use semi_implicit_euler::SemiImplicitEuler;
 
 use crate::{Chain, Scalar};
 
-/// The numbers in which tolerances and steps of chain `C` are given: the chain's own, or that of
-/// one of its lanes.
+/// The type of tolerances and times of chain `C`: its scalar type, or that of one lane.
 pub type Real<C> = <<C as Chain>::Scalar as Scalar>::Real;

@@ -12,22 +12,20 @@ use crate::{Chain, ChainState, Error, Scalar};
 /// - v ← v + h ((1 − γ) aₙ + γ aₙ₊₁),
 /// - q ← q + h v̄ with the mean rate v̄ = vₙ + h ((½ − β) aₙ + β aₙ₊₁);
 ///
-/// where q̇ is not v but for instance that of a quaternion, it is taken for v̄ in the middle of the
-/// step, at qₙ + ½ h q̇(qₙ, v̄). Then [`Chain::normalize`].
+/// If q̇ is not v, as for quaternions, q̇ is evaluated for v̄ in the middle of the step, at qₙ + ½ h q̇(qₙ, v̄). Then
+/// [`Chain::normalize`].
 ///
-/// aₙ₊₁ is found by fixed-point iteration, a set number of times, each at one evaluation besides
-/// the one at the start. One time gives order two already. Three times, unless told otherwise, are
-/// all that is worth their cost: an undamped spring of the angular frequency ω then loses (hω)⁸/128
-/// of its energy a step, and steps up to 2/ω are stable, and up to 2 m/c for a damper. An even
-/// number would gain energy. Iterations do not reach the stability in all steps of the implicit
-/// method, so stiff springs are for
-/// [`LinearlyImplicitEuler`](super::LinearlyImplicitEuler).
+/// aₙ₊₁ is found by a fixed number of fixed-point iterations, each with one evaluation, after one evaluation at the
+/// start. One iteration is enough for order two. The default of three is the largest number that is worth its cost: an
+/// undamped spring with the angular frequency ω then loses (hω)⁸/128 of its energy per step, and steps up to 2/ω, and
+/// up to 2 m/c for a damper, are stable. An even number of iterations would gain energy. The iterations do not have the
+/// unconditional stability of the implicit method, so use [`LinearlyImplicitEuler`](super::LinearlyImplicitEuler) for
+/// stiff springs.
 ///
-/// β = ¼, γ = ½, unless told otherwise, is the mean acceleration, which keeps the energy of a
-/// spring; β = ⅙ lets the acceleration change linearly, β = 0 is the method of central differences.
-/// With γ ≠ ½ the order is one: γ > ½ damps.
+/// The default β = ¼, γ = ½ is the mean acceleration, which keeps the energy of a spring. β = ⅙ makes the acceleration
+/// linear in time, β = 0 is the method of central differences. With γ ≠ ½ the order is one, and γ > ½ adds damping.
 ///
-/// Times are added up as in [`Rk4`](super::Rk4).
+/// Times are summed with compensation as in [`Rk4`](super::Rk4).
 pub struct Newmark<C: Chain> {
     pace: Pace<C::Scalar>,
     beta: C::Scalar,
@@ -44,7 +42,7 @@ advance_methods!(Newmark);
 clone_and_debug!(Newmark { beta, gamma, iterations, first, last, mean, result });
 
 impl<C: Chain> Newmark<C> {
-    /// An integrator whose step is `step` seconds; a negative one goes back in time.
+    /// Makes an integrator with a step of `step` seconds; a negative step goes back in time.
     pub fn new(step: C::Scalar) -> Self {
         Self {
             pace: Pace::new(step),
@@ -64,31 +62,31 @@ impl<C: Chain> Newmark<C> {
         self
     }
 
-    /// Sets how many times the acceleration at the end is improved, at least once.
+    /// Sets the number of fixed-point iterations, at least one.
     pub fn with_iterations(mut self, iterations: u32) -> Self {
         self.iterations = iterations;
         self
     }
 
-    /// The step in s.
+    /// Returns the step size in s.
     pub fn step_size(&self) -> C::Scalar {
         self.pace.step
     }
 
-    /// Sets the step in s, for the steps from now on.
+    /// Sets the step size in s of the next steps.
     pub fn set_step_size(&mut self, step: C::Scalar) {
         self.pace.step = step;
     }
 
-    /// Takes `state` one step further.
+    /// Integrates `state` over one step.
     ///
-    /// `inputs` is asked at the start and in each iteration at the end of the step, with the time
-    /// in s and the state there, whose quaternions are of unit length only up to its error.
+    /// `inputs` is evaluated at the start and in each iteration at the end of the step. Its arguments are the time in s
+    /// and the state there, whose quaternions have unit length up to the error of the state.
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
-    /// `state` is left as it was.
+    /// `state` is then unchanged.
     pub fn step(
         &mut self,
         chain: &C,
@@ -98,13 +96,13 @@ impl<C: Chain> Newmark<C> {
         fixed_step::step(self, chain, state, always::<C>(inputs))
     }
 
-    /// Writes the end of a step from `state` to `self.result`, by the accelerations in `self.first`
-    /// and `self.last`.
+    /// Computes the end of a step from `state` into `self.result`, with the accelerations in `self.first` and
+    /// `self.last`.
     fn reach(&mut self, chain: &C, state: &C::State, Span { step, end }: Span<C::Scalar>) {
         let (half, one) = (C::Scalar::constant(0.5), C::Scalar::constant(1.0));
         let Self { beta, gamma, first, last, mean, result, .. } = self;
 
-        // `result` holds what q̇ is asked of: the mean rate, first at the start, then in the middle.
+        // `result` has the mean rate, first at the coordinates of the start and then at those of the middle.
         copy(result, state);
         add_scaled_rates(result, step * (half - *beta), first);
         add_scaled_rates(result, step * *beta, last);

@@ -1,4 +1,4 @@
-//! The classical method of order four.
+//! The classical Runge–Kutta method.
 
 use super::ask::{always, ask};
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
@@ -7,13 +7,12 @@ use crate::{Chain, ChainState, Error, Scalar};
 
 /// The classical Runge–Kutta method of order four with a fixed step.
 ///
-/// A step costs four evaluations and takes the same time every time. After it quaternions are
-/// brought back to unit length, which keeps the order. The type of the chain follows from the first
-/// [`step`](Rk4::step).
+/// A step costs four evaluations, so its run time is constant. After a step quaternions are scaled to unit length, which
+/// keeps the order. The type of the chain follows from the first [`step`](Rk4::step).
 ///
-/// The time is added up with compensation (Kahan 1965): what rounding takes from it in one step is
-/// given back in the next, so after n steps it is the start plus n·h but for one rounding. Setting
-/// the state's time in between starts the count anew.
+/// The time is summed with compensation (Kahan 1965): the rounding error of one step is added to the next one. So after
+/// n steps the time is the start plus n·h, up to one rounding. Setting the time of the state restarts the summation.
+#[doc(alias("RungeKutta", "RK4"))]
 pub struct Rk4<C: Chain> {
     pace: Pace<C::Scalar>,
     stage: C::State,
@@ -26,7 +25,7 @@ advance_methods!(Rk4);
 clone_and_debug!(Rk4 { stage, rate, sum });
 
 impl<C: Chain> Rk4<C> {
-    /// An integrator whose step is `step` seconds; a negative one goes back in time.
+    /// Makes an integrator with a step of `step` seconds; a negative step goes back in time.
     pub fn new(step: C::Scalar) -> Self {
         Self {
             pace: Pace::new(step),
@@ -36,26 +35,25 @@ impl<C: Chain> Rk4<C> {
         }
     }
 
-    /// The step in s.
+    /// Returns the step size in s.
     pub fn step_size(&self) -> C::Scalar {
         self.pace.step
     }
 
-    /// Sets the step in s, for the steps from now on.
+    /// Sets the step size in s of the next steps.
     pub fn set_step_size(&mut self, step: C::Scalar) {
         self.pace.step = step;
     }
 
-    /// Takes `state` one step further.
+    /// Integrates `state` over one step.
     ///
-    /// `inputs` is asked four times, at the start, twice in the middle and at the end of the step,
-    /// with the time in s and the stage's state, whose quaternions are of unit length only up to
-    /// the stage's error.
+    /// `inputs` is evaluated four times: at the start, twice in the middle and at the end of the step. Its arguments are
+    /// the time in s and the state of the stage, whose quaternions have unit length up to the error of the stage.
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
-    /// `state` is left as it was.
+    /// `state` is then unchanged.
     pub fn step(
         &mut self,
         chain: &C,
@@ -84,8 +82,8 @@ impl<C: Chain> FixedStep<C> for Rk4<C> {
 
         weighted_sum(&mut self.sum, [], []);
         copy(&mut self.stage, state);
-        // Each stage: its time, its weight in the mean of the rates, in sixths, and how far it
-        // leads to the next one, if there is one.
+        // For each stage: its time, its weight in the mean of the rates in sixths, and the factor of its rate in the
+        // next stage.
         for (time, weight, onward) in [
             (start, one, Some(half)),
             (middle, two, Some(half)),

@@ -1,22 +1,20 @@
-//! Euler's method that takes the coordinates along by the new rates.
+//! The semi-implicit Euler method.
 
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
 use crate::{Chain, ChainState, Error};
 
-/// The semi-implicit, or symplectic, method of Euler with a fixed step: order one at one evaluation
-/// a step.
+/// The semi-implicit (symplectic) Euler method with a fixed step: order one with one evaluation per step.
 ///
-/// v ← v + h v̇(q, v, t), then q ← q + h q̇(q, v) with the new v, then [`Chain::normalize`]. Where
-/// v̇ depends on coordinates alone and q̇ is v, the energy does not drift: it swings by what is in
-/// proportion to the step. What depends on rates spoils that; see [the table](super) for spinning
-/// bodies.
+/// v ← v + h v̇(q, v, t), then q ← q + h q̇(q, v) with the new v, then [`Chain::normalize`]. If v̇ depends only on
+/// coordinates and q̇ = v, the energy does not drift but varies in proportion to the step. Velocity-dependent terms
+/// destroy this property; see [the section on spinning bodies](super).
 ///
-/// Stable are steps up to 2/ω for the highest angular frequency ω, or up to 2 m/c for a damper
-/// alone.
+/// The method is stable for steps up to 2/ω, where ω is the highest angular frequency, and up to 2 m/c for a damper.
 ///
-/// Times are added up as in [`Rk4`](super::Rk4).
+/// Times are summed with compensation as in [`Rk4`](super::Rk4).
+#[doc(alias("symplectic Euler", "mjINT_EULER"))]
 pub struct SemiImplicitEuler<C: Chain> {
     pace: Pace<C::Scalar>,
     rate: C::State,
@@ -28,29 +26,29 @@ advance_methods!(SemiImplicitEuler);
 clone_and_debug!(SemiImplicitEuler { rate, result });
 
 impl<C: Chain> SemiImplicitEuler<C> {
-    /// An integrator whose step is `step` seconds; a negative one goes back in time.
+    /// Makes an integrator with a step of `step` seconds; a negative step goes back in time.
     pub fn new(step: C::Scalar) -> Self {
         Self { pace: Pace::new(step), rate: C::State::default(), result: C::State::default() }
     }
 
-    /// The step in s.
+    /// Returns the step size in s.
     pub fn step_size(&self) -> C::Scalar {
         self.pace.step
     }
 
-    /// Sets the step in s, for the steps from now on.
+    /// Sets the step size in s of the next steps.
     pub fn set_step_size(&mut self, step: C::Scalar) {
         self.pace.step = step;
     }
 
-    /// Takes `state` one step further.
+    /// Integrates `state` over one step.
     ///
-    /// `inputs` is asked once, at the start, with the time in s and the state.
+    /// `inputs` is evaluated once, at the start, with the time in s and the state.
     ///
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
-    /// `state` is left as it was.
+    /// `state` is then unchanged.
     pub fn step(
         &mut self,
         chain: &C,
@@ -79,7 +77,7 @@ impl<C: Chain> FixedStep<C> for SemiImplicitEuler<C> {
     }
 }
 
-/// Follows v̇ in `rate` over `span`, first with the rates, then by these with the coordinates.
+/// Integrates the rates with v̇ of `rate`, and then the coordinates with the new rates.
 pub(super) fn follow<C: Chain, E: From<Error>>(
     chain: &C,
     state: &mut C::State,

@@ -1,29 +1,28 @@
-//! How long the next step should be: proportional-integral control (Gustafsson 1991) in the form of
-//! Hairer and Wanner, *Solving Ordinary Differential Equations II*, section IV.2.
+//! Step size control: proportional-integral control (Gustafsson 1991) in the form of Hairer and Wanner, *Solving Ordinary Differential Equations II*, section IV.2.
 
 use super::combine::entries;
 use crate::{ChainState, Error, Scalar};
 
-/// Tries at one step before giving up: 0.2⁶⁴ of the first try.
-const MOST_ATTEMPTS: u32 = 64;
+/// The largest number of attempts at one step; the last is 0.2⁶⁴ of the first.
+const MAX_ATTEMPTS: u32 = 64;
 
-/// The error exponent, 11/64. Control of order five wants 1/5 − 3/4 of the memory's exponent,
-/// 0.171. As dyadic fractions the powers are products of square roots, which are the same bits on
+/// The exponent of the error, in units of 1/128: 22/128 = 11/64. Control of order five requires 1/5 − ¾ of the exponent
+/// of the previous error, 0.171. Powers with dyadic fractions are products of square roots, whose bits are the same on
 /// every target.
 const ERROR_EXPONENT: u32 = 22;
 
-/// The exponent of the error before, 5/128.
+/// The exponent of the previous error, in units of 1/128.
 const MEMORY_EXPONENT: u32 = 5;
 
-/// The size of steps, as a magnitude in s, and the memory of the control.
+/// The step size, as a magnitude in s, and the memory of the control.
 #[derive(Clone, Copy)]
 pub(super) struct StepControl<R> {
-    /// The next step; zero as long as nothing is known.
+    /// The next step size; zero if it is not known yet.
     pub(super) step: R,
     pub(super) minimum: R,
     pub(super) maximum: R,
     previous_error: R,
-    /// Tries at the present step that failed.
+    /// The number of rejected attempts at the present step.
     failures: u32,
 }
 
@@ -39,20 +38,18 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         }
     }
 
-    /// The step to try from `time`, within the limits.
+    /// Returns the step size to attempt from `time`, within the limits.
     pub(super) fn proposal(&self, time: R) -> R {
         clamp(self.step, self.shortest(time), self.maximum)
     }
 
-    /// After an accepted step of size `step`, which need not be the one proposed: sets the next
-    /// one.
+    /// Sets the next step size after an accepted step of size `step`, which may differ from the proposed one.
     pub(super) fn accept(&mut self, step: R, error: R) {
         let most = R::constant(if self.failures > 0 { 1.0 } else { 5.0 });
         let memory = power(self.previous_error, MEMORY_EXPONENT);
         let factor = R::constant(0.9) * memory * power(error, ERROR_EXPONENT).recip();
         let next = step * clamp(factor, R::constant(0.2), most);
-        // A step cut short by the end of the interval says nothing against the one that was
-        // proposed.
+        // A step that was shortened to end at the limit is no reason to reduce the proposed step size.
         let cut_short = self.failures == 0 && step < self.step;
         let next = if cut_short && next < self.step { self.step } else { next };
         self.step = clamp(next, R::default(), self.maximum);
@@ -60,15 +57,16 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         self.failures = 0;
     }
 
-    /// After a rejected step of size `step` from `time`: sets a shorter one. The error may be
-    /// infinite or NaN.
+    /// Sets a shorter step size after a rejected step of size `step` from `time`.
+    ///
+    /// The error may be infinite or NaN.
     ///
     /// # Errors
-    /// [`Error::StepTooSmall`] if it was the shortest already, or one of too many tries.
+    /// [`Error::StepTooSmall`] if `step` was the shortest step, or after too many attempts.
     pub(super) fn reject(&mut self, time: R, step: R, error: R) -> Result<(), Error> {
         self.failures += 1;
         let shortest = self.shortest(time);
-        if step <= shortest || self.failures >= MOST_ATTEMPTS {
+        if step <= shortest || self.failures >= MAX_ATTEMPTS {
             self.failures = 0;
             self.step = R::default();
             return Err(Error::StepTooSmall);
@@ -79,15 +77,14 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         Ok(())
     }
 
-    /// The shortest step worth trying: the user's minimum, or what moves the clock by a few units
-    /// in the last place.
+    /// Returns the shortest step size to attempt: the user's minimum, or a few units in the last place of the time.
     fn shortest(&self, time: R) -> R {
         let tick = R::constant(4.0) * R::epsilon() * time.abs();
         if self.minimum > tick { self.minimum } else { tick }
     }
 }
 
-/// `value` between `low` and `high`; `low` for NaN.
+/// Returns `value` limited to `low` and `high`, or `low` for NaN.
 fn clamp<R: PartialOrd>(value: R, low: R, high: R) -> R {
     if value >= high {
         high
@@ -98,8 +95,7 @@ fn clamp<R: PartialOrd>(value: R, low: R, high: R) -> R {
     }
 }
 
-/// `base` to the power of `exponent`/128, for exponents below 128: a product of repeated square
-/// roots.
+/// Returns `base` to the power of `exponent`/128 as a product of repeated square roots, for exponents below 128.
 pub(super) fn power<R: Scalar>(base: R, exponent: u32) -> R {
     let (mut root, mut product) = (base, R::constant(1.0));
     for bit in [64, 32, 16, 8, 4, 2, 1] {
@@ -111,8 +107,8 @@ pub(super) fn power<R: Scalar>(base: R, exponent: u32) -> R {
     product
 }
 
-/// The root mean square of the entries of `value`, each measured by absolute + relative · max(|a|,
-/// |b|), in the worst lane.
+/// Returns the root mean square of the entries of `value`, each in units of absolute + relative · max(|a|, |b|), for the
+/// lane in which it is largest.
 pub(super) fn norm<S: ChainState>(
     value: &S,
     (a, b): (&S, &S),

@@ -1,7 +1,7 @@
 //! The coefficients of Dormand and Prince's method 5(4) (J. Comput. Appl. Math. 6, 1980), named as
 //! in Hairer, Nørsett and Wanner, *Solving Ordinary Differential Equations I*, table II.5.2.
 
-/// When the stages 2 to 5 are, in steps; 6 and 7 are at the end.
+/// The times of stages 2 to 5, in steps; 6 and 7 are at the end.
 pub(super) const ABSCISSAE: [f64; 4] = [1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0];
 
 /// Stage 2 from rate 1.
@@ -25,7 +25,7 @@ pub(super) const A6: [f64; 5] =
 pub(super) const B: [f64; 5] =
     [35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
 
-/// What the result of order four differs by, from rates 1 and 3 to 7.
+/// The difference of the results of order five and four, from rates 1 and 3 to 7.
 pub(super) const E: [f64; 6] = [
     71.0 / 57600.0,
     -71.0 / 16695.0,
@@ -35,7 +35,7 @@ pub(super) const E: [f64; 6] = [
     -1.0 / 40.0,
 ];
 
-/// What makes the interpolation of order four, from rates 1 and 3 to 7 (Shampine; Hairer's
+/// The quartic term of the interpolation of order four, from rates 1 and 3 to 7 (Shampine; Hairer's
 /// `dopri5.f`).
 pub(super) const D: [f64; 6] = [
     -12715105075.0 / 11282082432.0,
@@ -50,7 +50,7 @@ pub(super) const D: [f64; 6] = [
 mod tests {
     use super::*;
 
-    /// Conditions of order that a slip of the pen would break: every row of A sums up to its abscissa, B
+    /// Order conditions, which a wrong digit would violate: every row of A sums up to its abscissa, B
     /// integrates 1, c, c², c³, c⁴ exactly, and E and D leave a constant rate alone.
     #[test]
     fn rows_are_consistent() {

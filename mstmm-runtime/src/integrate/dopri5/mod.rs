@@ -1,4 +1,4 @@
-//! Dormand and Prince's method of order five with an error estimate of order four.
+//! The method of Dormand and Prince of order five, with an error estimate of order four.
 
 mod trial;
 
@@ -10,53 +10,53 @@ use super::tableau::{B, D};
 use crate::{Chain, ChainState, Error, Scalar};
 use trial::Failure;
 
-/// How much work an integrator with step size control did.
+/// The work of an integrator with step size control.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Steps that were taken.
+    /// The number of accepted steps.
     pub accepted: u64,
-    /// Tries that missed the tolerance or were not finite.
+    /// The number of attempts that missed the tolerance or were not finite.
     pub rejected: u64,
-    /// Evaluations of [`Chain::derivative_into`].
+    /// The number of evaluations of [`Chain::derivative_into`].
     pub evaluations: u64,
 }
 
-/// Dormand and Prince's Runge–Kutta method of order five that chooses its own steps.
+/// The Runge–Kutta method of Dormand and Prince of order five, with step size control.
 ///
-/// The error of a step is estimated by comparison with a method of order four, for every coordinate
-/// y and every rate, in units of absolute + relative · |y|; a step is accepted if the root mean
-/// square of these is at most one. The next step follows by proportional-integral control. Where
-/// the chain is computed in lanes, all take the same step and the worst lane decides.
+/// The error of a step is estimated by comparison with a method of order four, for each coordinate y and each rate, in
+/// units of absolute + relative · |y|. A step is accepted if the root mean square of these errors is at most one. The
+/// next step size follows from proportional-integral control. All lanes take the same step, and the lane with the
+/// largest error decides.
 ///
-/// The clock moves from one representable time to another and the step is exactly their difference,
-/// so no rounding adds up.
+/// The step is the exact difference of two representable times, so rounding errors do not add up in the time.
 ///
-/// The last evaluation of a step is at its end, with quaternions already brought back to unit
-/// length, and serves as the first one of the next step inside [`advance_to`](Dopri5::advance_to): six
-/// evaluations a step. [`step`](Dopri5::step) always evaluates anew, seven times, since chain,
-/// state and inputs may have changed since the last call.
+/// The last evaluation of a step is at its end, with normalised quaternions. Inside
+/// [`advance_to`](Dopri5::advance_to) it serves as the first evaluation of the next step: six evaluations per step.
+/// [`step`](Dopri5::step) always evaluates seven times, because chain, state and inputs may have changed since the last
+/// call.
 ///
-/// It keeps 16 states of the chain: those of the last accepted step, for
-/// [`interpolate`](Dopri5::interpolate), and those of the step that is tried.
+/// The integrator stores 16 states of the chain: those of the last accepted step, for
+/// [`interpolate`](Dopri5::interpolate), and those of the present attempt.
+#[doc(alias("ode45", "RK45", "DOPRI", "Dormand-Prince", "RungeKutta5"))]
 pub struct Dopri5<C: Chain> {
     relative: Real<C>,
     absolute: Real<C>,
     control: StepControl<Real<C>>,
     statistics: Statistics,
-    /// The last accepted step and the one that is tried, in turn.
+    /// The last accepted step and the present attempt, alternately.
     steps: [Stages<C::State>; 2],
-    /// Whether the second of both is the one that is tried.
+    /// Whether the second of both is the present attempt.
     second: bool,
-    /// The rate at the second stage, which no result needs; then the error.
+    /// The rate at the second stage, which the result does not depend on; then the error.
     scratch: C::State,
-    /// The state of a stage, and the end of the step that was tried last.
+    /// The state of a stage; then the end of the last attempt.
     end: C::State,
     /// The time at the end of the last accepted step, if its stages are known.
     accepted: Option<Real<C>>,
 }
 
-/// What is known of a step.
+/// The start of a step and the rates at its stages.
 #[derive(Clone)]
 struct Stages<S> {
     start: S,
@@ -64,7 +64,7 @@ struct Stages<S> {
     rates: [S; 6],
 }
 
-// Derived, both would ask the same of the chain's own type.
+// Derived implementations would require the traits of the type of the chain.
 impl<C: Chain> Clone for Dopri5<C> {
     fn clone(&self) -> Self {
         Self {
@@ -92,8 +92,10 @@ impl<C: Chain> core::fmt::Debug for Dopri5<C> {
 }
 
 impl<C: Chain> Dopri5<C> {
-    /// An integrator with these tolerances for the error of one step: `relative` to each entry of
-    /// the state, and `absolute` in its unit. One of them may be zero.
+    /// Makes an integrator with these tolerances for the error of one step.
+    ///
+    /// `relative` is relative to each entry of the state, `absolute` is in the unit of the entry. One of them may be
+    /// zero.
     pub fn new(relative: Real<C>, absolute: Real<C>) -> Self {
         let state = |_| C::State::default();
         Self {
@@ -112,34 +114,36 @@ impl<C: Chain> Dopri5<C> {
         }
     }
 
-    /// Sets the size in s of the first step to try. Without it, or with zero, it is guessed from
-    /// the first rates.
+    /// Sets the size in s of the first attempted step.
+    ///
+    /// The default, zero, estimates it from the first rates.
     pub fn with_first_step(mut self, step: Real<C>) -> Self {
         self.control.step = step.abs();
         self
     }
 
-    /// Sets the shortest and the longest step in s. A step that ends an interval may be shorter
-    /// than the shortest one.
+    /// Sets the shortest and the longest step in s.
+    ///
+    /// The last step to an end time may be shorter.
     pub fn with_step_limits(mut self, minimum: Real<C>, maximum: Real<C>) -> Self {
         (self.control.minimum, self.control.maximum) = (minimum.abs(), maximum.abs());
         self
     }
 
-    /// The size in s of the step that would be tried next; zero as long as nothing is known.
+    /// Returns the size in s of the next attempted step, or zero if it is not known yet.
     pub fn next_step(&self) -> Real<C> {
         self.control.step
     }
 
-    /// The work done since the integrator was made.
+    /// Returns the work done since the integrator was made.
     pub fn statistics(&self) -> Statistics {
         self.statistics
     }
 
-    /// Takes `state` one accepted step forward in time.
+    /// Integrates `state` over one accepted step, forward in time.
     ///
-    /// `inputs` is asked at each stage, with the time in s and the stage's state, whose quaternions
-    /// are of unit length only up to the stage's error.
+    /// `inputs` is evaluated at each stage. Its arguments are the time in s and the state of the stage, whose quaternions
+    /// have unit length up to the error of the stage.
     ///
     /// # Errors
     /// - [`Error::InvalidParameter`] if a tolerance is negative or NaN, or both are zero.
@@ -149,7 +153,7 @@ impl<C: Chain> Dopri5<C> {
     ///   not finite; another error of [`Chain::derivative_into`] or [`Chain::project`] if even the
     ///   shortest step fails with it.
     ///
-    /// `state` is left as it was.
+    /// `state` is then unchanged.
     pub fn step(
         &mut self,
         chain: &C,
@@ -159,16 +163,14 @@ impl<C: Chain> Dopri5<C> {
         self.try_step(chain, state, always::<C>(inputs))
     }
 
-    /// Takes `state` one accepted step forward in time, as [`step`](Dopri5::step) does, with
-    /// `inputs` that may fail.
+    /// Integrates `state` over one accepted step as [`step`](Dopri5::step) does, with `inputs` that may fail.
     ///
     /// # Errors
-    /// The first error of `inputs`, unchanged: it ends the step at once, and no shorter step is
-    /// tried. The size of the [next step](Dopri5::next_step) and what
-    /// [`interpolate`](Dopri5::interpolate) gives are left as they were; evaluations and rejected
-    /// tries are counted. Those of [`step`](Dopri5::step), as an `E`.
+    /// The first error of `inputs`, unchanged: it ends the step at once, without an attempt at a shorter step. The size
+    /// of the [next step](Dopri5::next_step) and the results of [`interpolate`](Dopri5::interpolate) are then unchanged;
+    /// evaluations and rejected attempts are counted. Those of [`step`](Dopri5::step), converted to `E`.
     ///
-    /// `state` is left as it was.
+    /// `state` is then unchanged.
     pub fn try_step<E: From<Error>>(
         &mut self,
         chain: &C,
@@ -184,11 +186,13 @@ impl<C: Chain> Dopri5<C> {
         Ok(())
     }
 
-    /// Takes `state` to the time `end` in s, before or after its own, and lands on it exactly.
+    /// Integrates `state` to the time `end` in s and ends exactly there.
+    ///
+    /// `end` may be earlier than the time of `state`.
     ///
     /// # Errors
-    /// Those of [`step`](Dopri5::step), and [`Error::NotFinite`] if `end` is not finite. `state` is
-    /// then what the last accepted step led to.
+    /// Those of [`step`](Dopri5::step), and [`Error::NotFinite`] if `end` is not finite. `state` is then the
+    /// result of the last accepted step.
     pub fn advance_to(
         &mut self,
         chain: &C,
@@ -217,13 +221,13 @@ impl<C: Chain> Dopri5<C> {
         self.try_advance_by(chain, state, duration, always::<C>(inputs))
     }
 
-    /// Takes `state` to the time `end` in s, as [`advance_to`](Dopri5::advance_to) does, with `inputs`
-    /// that may fail.
+    /// Integrates `state` to the time `end` in s as [`advance_to`](Dopri5::advance_to) does, with `inputs` that may
+    /// fail.
     ///
     /// # Errors
-    /// The first error of `inputs`, unchanged, as of [`try_step`](Dopri5::try_step). Those of
-    /// [`advance_to`](Dopri5::advance_to), as an `E`. `state`, the size of the next step and the dense
-    /// output are then what the last accepted step led to.
+    /// The first error of `inputs`, unchanged, as for [`try_step`](Dopri5::try_step). Those of
+    /// [`advance_to`](Dopri5::advance_to), converted to `E`. `state`, the size of the next step and the dense output are
+    /// then those after the last accepted step.
     pub fn try_advance_to<E: From<Error>>(
         &mut self,
         chain: &C,
@@ -269,13 +273,14 @@ impl<C: Chain> Dopri5<C> {
         self.try_advance_to(chain, state, end, inputs)
     }
 
-    /// Writes the state at `time`, in s, within the last accepted step to `out`, to order four and
-    /// with unit quaternions.
+    /// Computes the state at `time` in s within the last accepted step into `out` (dense output).
+    ///
+    /// The interpolation has order four and unit quaternions.
     ///
     /// # Errors
     /// [`Error::OutsideStep`] if `time` lies outside the last accepted step, or if there was none,
-    /// or if the last call of [`step`](Dopri5::step) or [`advance_to`](Dopri5::advance_to) failed for
-    /// another reason than an error of its inputs or of its arguments. `out` is left as it was.
+    /// or if the last call of [`step`](Dopri5::step) or [`advance_to`](Dopri5::advance_to) failed for a reason other than
+    /// an error of its inputs or of its arguments. `out` is then unchanged.
     pub fn interpolate(&self, chain: &C, time: Real<C>, out: &mut C::State) -> Result<(), Error> {
         let Some(end) = self.accepted else {
             return Err(Error::OutsideStep);
@@ -290,7 +295,7 @@ impl<C: Chain> Dopri5<C> {
         let along = (time - start) * (end - start).recip();
         let (square, left) = (along * along, one - along);
         // Hermite's cubic through both ends, y₀ + h θ [ (1−θ)² k₁ + θ(3−2θ) Σ b k − θ(1−θ) k₇ ],
-        // and a quartic on top.
+        // plus a quartic term.
         let hermite = C::Scalar::splat(square * (one + left + left));
         let quartic = C::Scalar::splat(square * left * left);
         let [mut w1, w3, w4, w5, w6, mut w7] = D.map(|d| quartic * C::Scalar::constant(d));
@@ -306,8 +311,9 @@ impl<C: Chain> Dopri5<C> {
         Ok(())
     }
 
-    /// What is left of a failed step: after an error of the inputs the step size control is as
-    /// `before` it, and the last accepted step is kept.
+    /// Restores the state of the integrator after a failed step, and returns the error.
+    ///
+    /// After an error of the inputs the step size control is as `before` the step, and the last accepted step is kept.
     fn failed<E: From<Error>>(&mut self, failure: Failure<E>, before: StepControl<Real<C>>) -> E {
         match failure {
             Failure::Inputs(error) => {

@@ -1,4 +1,4 @@
-//! One step: its start, tries of different sizes, and the stages of each.
+//! One step: its start, attempts of different sizes, and the stages of each attempt.
 
 use super::{Dopri5, Stages, Statistics};
 use crate::integrate::Real;
@@ -10,12 +10,11 @@ use crate::integrate::step_control::{norm, power};
 use crate::integrate::tableau::{A2, A3, A4, A5, A6, ABSCISSAE, B, E};
 use crate::{Chain, ChainState, Error, Scalar};
 
-/// Why a step failed.
+/// The reason why a step failed.
 pub(super) enum Failure<X> {
     /// An error of the inputs, which ends the step.
     Inputs(X),
-    /// An error of the chain or of the step size control. During a try a shorter one may not have
-    /// it.
+    /// An error of the chain or of the step size control. During an attempt, a shorter step may not have it.
     Chain(Error),
 }
 
@@ -26,7 +25,7 @@ impl<X> From<Error> for Failure<X> {
 }
 
 impl<C: Chain> Dopri5<C> {
-    /// Sets start and first rate, and guesses the first step if there is none.
+    /// Sets the start and the first rate, and estimates the first step size if there is none.
     pub(super) fn begin<X: From<Error>>(
         &mut self,
         chain: &C,
@@ -58,8 +57,8 @@ impl<C: Chain> Dopri5<C> {
         Ok(())
     }
 
-    /// Starts the next step where the last one ended: its last stage was at this very state, with
-    /// the same chain and inputs.
+    /// Starts the next step at the end of the last one, whose last stage was at this state, with the same chain and
+    /// inputs.
     pub(super) fn go_on(&mut self) {
         let [a, b] = &mut self.steps;
         let (next, last) = if self.second { (b, a) } else { (a, b) };
@@ -69,8 +68,8 @@ impl<C: Chain> Dopri5<C> {
         copy(start, &self.end);
     }
 
-    /// A first step whose error should be about a hundredth of the tolerance, from one step of
-    /// Euler's method (Hairer, Nørsett and Wanner, section II.4).
+    /// Estimates a first step size whose error is about a hundredth of the tolerance, from one Euler step (Hairer,
+    /// Nørsett and Wanner, section II.4).
     fn guess_first_step<X: From<Error>>(
         &mut self,
         chain: &C,
@@ -99,18 +98,18 @@ impl<C: Chain> Dopri5<C> {
         add_scaled(second, C::Scalar::constant(-1.0), first);
         let change = size(second, start) * step.recip();
         let fastest = if change > rate { change } else { rate };
-        // 13/64 stands for 1/5.
+        // 26/128 approximates 1/5, the exponent of the error.
         let by_change = power(hundredth * fastest.recip(), 26);
         let longest = Real::<C>::constant(100.0) * step;
         Ok(match (by_change > Real::<C>::default(), by_change < longest) {
             (true, true) => by_change,
             (true, false) => longest,
-            // Too fast to be measured; NaN comes here too.
+            // The change is too fast to be measured, or NaN.
             (false, _) => step,
         })
     }
 
-    /// Tries steps until one is accepted, none of them past `limit`.
+    /// Attempts steps until one is accepted; none goes beyond `limit`.
     pub(super) fn take<X: From<Error>>(
         &mut self,
         chain: &C,
@@ -148,7 +147,7 @@ impl<C: Chain> Dopri5<C> {
         }
     }
 
-    /// One step to the time `end`: the stages, the result in `self.end`, and the error in units of
+    /// Attempts one step to the time `end`, with the result in `self.end`, and returns its error in units of the
     /// tolerance.
     fn attempt<X: From<Error>>(
         &mut self,
@@ -174,8 +173,8 @@ impl<C: Chain> Dopri5<C> {
         lead_to(state, start, step, end, A6, [k1, k2, k3, k4, k5]);
         evaluate(chain, state, inputs, count, k6)?;
         lead_to(state, start, step, end, B, [k1, k3, k4, k5, k6]);
-        // Before the last evaluation and not after it: so it is that of the state the next step
-        // starts from. The estimate moves by as little as the state does, which is of higher order.
+        // Projected before the last evaluation, so that this is at the state from which the next step starts. The
+        // error estimate changes by as little as the state does, which is of higher order.
         chain.normalize(state);
         let time = state.time();
         chain.project(state, |state| ask(chain, inputs, time, state).map_err(Failure::Inputs))?;
@@ -190,8 +189,8 @@ impl<C: Chain> Dopri5<C> {
     }
 }
 
-/// Where a step of this size from `start` ends: on `limit` if that is near, and not so short of it
-/// that a sliver is left.
+/// Returns the end of a step of this size from `start`: `limit` if that is near, and not so close before it that the
+/// next step would be very short.
 fn end_of_step<R: Scalar<Real = R, Mask = bool> + PartialOrd>(
     start: R,
     size: R,
@@ -223,7 +222,7 @@ fn lead_to<S: ChainState, const N: usize>(
     state.set_time(time);
 }
 
-/// The rate at `state`, counted.
+/// Evaluates the rate at `state` and counts the evaluation.
 fn evaluate<C: Chain, X: From<Error>>(
     chain: &C,
     state: &C::State,
