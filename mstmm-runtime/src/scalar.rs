@@ -1,18 +1,18 @@
-//! The numbers a chain is computed with.
+//! The scalar types of chains.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
-/// The answer to a question asked of a [`Scalar`]: one truth value per lane.
+/// The result of a comparison of [`Scalar`]s: one truth value per lane.
 ///
 /// For `f32` and `f64` it is `bool`.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// The same truth value in every lane.
+    /// Returns the same truth value in every lane.
     fn splat(value: bool) -> Self;
 
-    /// Whether every lane is true.
+    /// Returns whether every lane is true.
     fn all(self) -> bool;
 }
 
@@ -28,12 +28,11 @@ impl Mask for bool {
     }
 }
 
-/// A number that generated dynamics can be computed with.
+/// A scalar type that generated dynamics can use: `f32`, `f64`, SIMD lanes, dual numbers.
 ///
-/// It has arithmetic but no order, so that SIMD lanes and dual numbers fit as well as `f32` and
-/// `f64`: what would be a branch on a comparison is a [`select`](Scalar::select) under a [`Mask`].
-/// Nothing here is reassociated, and nothing fused without the feature `fma`, so a type's results are
-/// the same bits on every target.
+/// It has arithmetic but no order, because lanes have none: comparisons return a [`Mask`], and
+/// [`select`](Scalar::select) replaces branches. Operations are not reassociated, and without the feature `fma` not
+/// fused, so the results of a type have the same bits on every target.
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
@@ -46,41 +45,40 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
 {
-    /// The answer to a comparison, one truth value per lane.
+    /// The result of a comparison, one truth value per lane.
     type Mask: Mask;
 
-    /// The ordered number that stands for all lanes where a single decision must be taken, such as
-    /// the size of a step.
+    /// The ordered type of decisions that are the same for all lanes, such as the size of a step.
     ///
-    /// It is of the same precision as the lanes; for `f32` and `f64` it is the type itself.
+    /// It has the precision of the lanes; for `f32` and `f64` it is the type itself.
     type Real: Scalar<Real = Self::Real, Mask = bool> + PartialOrd;
 
-    /// The number of lanes, which is the number of states that a chain of this scalar computes side by side.
+    /// The number of lanes: a chain of this scalar type computes as many states at once.
     const LANES: usize = 1;
 
-    /// The number nearest to `value`. For a literal it is computed while compiling.
+    /// Returns the number nearest to `value`. For a literal it is computed at compile time.
     fn constant(value: f64) -> Self;
 
-    /// The unit in the last place of one.
+    /// Returns the unit in the last place of one.
     fn epsilon() -> Self;
 
-    /// `self · factor + addend`.
+    /// Returns `self · factor + addend`.
     ///
-    /// It is rounded twice, after the product and after the sum, and so the same bits everywhere.
-    /// With the feature `fma`, `f32` and `f64` round once where the target has an instruction for it
-    /// (`fma` on x86, all of aarch64), which is faster; elsewhere nothing changes.
+    /// It is rounded twice, after the product and after the sum, so it has the same bits on all targets. With the
+    /// feature `fma`, `f32` and `f64` are rounded once if the target has an instruction for it (`fma` on x86, all of
+    /// aarch64), which is faster.
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 
-    /// `self · factor − subtrahend`, rounded as [`mul_add`](Scalar::mul_add).
+    /// Returns `self · factor − subtrahend`, rounded as [`mul_add`](Scalar::mul_add).
     #[inline(always)]
     fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
         self * factor - subtrahend
     }
 
-    /// `addend − self · factor`, rounded as [`mul_add`](Scalar::mul_add).
+    /// Returns `addend − self · factor`, rounded as [`mul_add`](Scalar::mul_add).
     #[inline(always)]
     fn mul_neg_add(self, factor: Self, addend: Self) -> Self {
         addend - self * factor
@@ -94,28 +92,26 @@ pub trait Scalar:
         -self
     }
 
-    /// One divided by `self`.
+    /// Returns one divided by `self`.
     fn recip(self) -> Self;
 
-    /// The square root, correctly rounded; NaN for negative numbers.
+    /// Returns the square root, correctly rounded; NaN for negative numbers.
     fn sqrt(self) -> Self;
 
-    /// The magnitude of `self` with the sign of `sign`.
+    /// Returns the magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
 
-    /// The magnitude.
+    /// Returns the magnitude.
     fn abs(self) -> Self;
 
-    /// Sines and cosines of angles in radians, in this order, all computed side by side without a
-    /// branch.
+    /// Returns the sines and the cosines of angles in rad, computed together and without branches.
     ///
     /// For `f32` and `f64` each is within one unit in the last place for angles up to 10⁴ rad; see
     /// the section on accuracy of [the crate](crate#sines-cosines-and-angles) for larger ones. NaN
     /// and infinite angles give NaN.
     fn sin_cos<const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]);
 
-    /// The angle in rad, within ±π, from the x axis to the point of the plane whose y is `self` and
-    /// whose x is `x`, computed without a branch.
+    /// Returns the angle in rad, within ±π, from the x axis to the point (`x`, `self`), computed without branches.
     ///
     /// For `f32` and `f64` it is within one unit in the last place; see the section on accuracy of
     /// [the crate](crate#sines-cosines-and-angles). Zeros with their signs and infinities have the
@@ -145,6 +141,6 @@ pub trait Scalar:
     /// A scalar without lanes returns its value, a dual number its real part.
     fn max_lane(self) -> Self::Real;
 
-    /// The same number in every lane.
+    /// Returns the same number in every lane.
     fn splat(value: Self::Real) -> Self;
 }

@@ -1,6 +1,7 @@
-//! The cylindrical hinge: a shift along an axis fixed in both elements, and a turn about it.
+//! The cylindrical hinge: a translation along an axis fixed in both elements, and a rotation about it.
 
-/// Position, angle and their rates of a cylindrical hinge, copied from a state.
+/// Position, angle and their rates of a cylindrical hinge, read from a state.
+#[doc(alias("cylindrical joint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CylindricalState<T> {
     position: T,
@@ -10,39 +11,40 @@ pub struct CylindricalState<T> {
 }
 
 impl<T: Copy> CylindricalState<T> {
-    /// Puts the view together.
+    /// Makes the view from its values.
     #[inline]
     pub fn new(position: T, angle: T, velocity: T, rate: T) -> Self {
         Self { position, angle, velocity, rate }
     }
 
-    /// The position in m of the outboard frame's origin along the axis, from the inboard frame's
+    /// Returns the position in m of the outboard origin along the axis, from the inboard
     /// origin.
     #[inline]
     pub fn position(&self) -> T {
         self.position
     }
 
-    /// The angle in rad by which the outboard frame is turned against the inboard one, right-handed
-    /// about the axis. It is not wrapped.
+    /// Returns the angle in rad from the inboard to the outboard frame, right-handed about the axis.
+    ///
+    /// It is not wrapped.
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
-    /// The position's rate in m/s.
+    /// Returns the rate of the position in m/s.
     #[inline]
     pub fn velocity(&self) -> T {
         self.velocity
     }
 
-    /// The angle's rate in rad/s.
+    /// Returns the rate of the angle in rad/s.
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> (T, T, T, T) {
@@ -50,7 +52,7 @@ impl<T: Copy> CylindricalState<T> {
     }
 }
 
-/// Position, angle and their rates of a cylindrical hinge, to be changed in a state.
+/// Position, angle and their rates of a cylindrical hinge, for writing to a state.
 #[derive(Debug)]
 pub struct CylindricalStateMut<'a, T> {
     position: &'a mut T,
@@ -60,7 +62,7 @@ pub struct CylindricalStateMut<'a, T> {
 }
 
 impl<'a, T> CylindricalStateMut<'a, T> {
-    /// Puts the view together; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(
         position: &'a mut T,
@@ -71,8 +73,8 @@ impl<'a, T> CylindricalStateMut<'a, T> {
         Self { position, angle, velocity, rate }
     }
 
-    /// Sets the position in m of the outboard frame's origin along the axis, from the inboard
-    /// frame's origin.
+    /// Sets the position in m of the outboard origin along the axis, from the inboard
+    /// origin.
     #[inline]
     pub fn set_position(&mut self, position: T) -> &mut Self {
         *self.position = position;
@@ -86,14 +88,14 @@ impl<'a, T> CylindricalStateMut<'a, T> {
         self
     }
 
-    /// Sets the position's rate in m/s.
+    /// Sets the rate of the position in m/s.
     #[inline]
     pub fn set_velocity(&mut self, velocity: T) -> &mut Self {
         *self.velocity = velocity;
         self
     }
 
-    /// Sets the angle's rate in rad/s.
+    /// Sets the rate of the angle in rad/s.
     #[inline]
     pub fn set_rate(&mut self, rate: T) -> &mut Self {
         *self.rate = rate;

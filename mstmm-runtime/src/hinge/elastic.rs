@@ -1,16 +1,16 @@
-//! The elastic hinge of `[P, Appendix A.1]`: free in all six directions, with springs and dampers
-//! along its own coordinates.
+//! The elastic hinge of `[P, Appendix A.1]`: six degrees of freedom with springs and dampers along its coordinates.
 
 use nalgebra::Vector3;
 
 use super::orientation::store;
 use crate::Scalar;
 
-/// Displacement, angles and their rates of an elastic hinge, copied from a state.
+/// Displacement, angles and their rates of an elastic hinge, read from a state.
 ///
-/// The intermediate frame is the inboard frame turned by θ₃ about its z axis; the displacement is
-/// measured along its axes, the springs' own. θ₃, the paper's θ_r, may be any number of turns; θ₁
-/// and θ₂ are small, and |θ₂| less than 90°.
+/// The intermediate frame is the inboard frame rotated by θ₃ about its z axis. The displacement and the springs are along
+/// the axes of the intermediate frame. θ₃ is θ_r in the paper and may exceed 360°; θ₁ and θ₂ are small, with |θ₂| less
+/// than 90°.
+#[doc(alias("bushing", "LinearBushingRollPitchYaw", "beam joint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticState<T> {
     displacement: [T; 3],
@@ -20,42 +20,41 @@ pub struct ElasticState<T> {
 }
 
 impl<T: Scalar> ElasticState<T> {
-    /// Puts the view together from Δ, the angles θ₁, θ₂, θ₃, the velocity along inboard axes and
+    /// Makes the view from Δ, the angles θ₁, θ₂, θ₃, the velocity along inboard axes and
     /// the angular velocity in outboard components.
     #[inline]
     pub fn new(displacement: [T; 3], angles: [T; 3], velocity: [T; 3], rate: [T; 3]) -> Self {
         Self { displacement, angles, velocity, rate }
     }
 
-    /// The displacement Δ in m of the outboard frame's origin from the inboard frame's origin, in
+    /// Returns the displacement Δ in m of the outboard origin from the inboard origin, in
     /// components of the intermediate frame. Along inboard axes it is A_z(θ₃) Δ.
     #[inline]
     pub fn displacement(&self) -> Vector3<T> {
         Vector3::from(self.displacement)
     }
 
-    /// The angles θ₁, θ₂ and θ₃ = θ_r in rad: A_z(θ₃) A_y(θ₂) A_x(θ₁) turns outboard components
-    /// into inboard components, `[P, Eq. (1)]`. They are not wrapped.
+    /// Returns the angles θ₁, θ₂ and θ₃ = θ_r in rad: A_z(θ₃) A_y(θ₂) A_x(θ₁) takes outboard components
+    /// to inboard components, `[P, Eq. (1)]`. They are not wrapped.
     #[inline]
     pub fn angles(&self) -> Vector3<T> {
         Vector3::from(self.angles)
     }
 
-    /// The velocity in m/s of the outboard frame's origin against the inboard frame, along inboard
-    /// axes. It is not the rate of the displacement, whose axes turn.
+    /// Returns the velocity in m/s of the outboard origin relative to the inboard frame, along inboard
+    /// axes. It is not the rate of the displacement, whose axes rotate.
     #[inline]
     pub fn velocity(&self) -> Vector3<T> {
         Vector3::from(self.velocity)
     }
 
-    /// The angular velocity of the outboard frame against the inboard one, in rad/s, in outboard
-    /// components. These are not the rates of the angles.
+    /// Returns the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components. These are not the rates of the angles.
     #[inline]
     pub fn rate(&self) -> Vector3<T> {
         Vector3::from(self.rate)
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> ([T; 3], [T; 3], [T; 3], [T; 3]) {
@@ -63,7 +62,7 @@ impl<T: Scalar> ElasticState<T> {
     }
 }
 
-/// Displacement, angles and their rates of an elastic hinge, to be changed in a state.
+/// Displacement, angles and their rates of an elastic hinge, for writing to a state.
 ///
 /// The intermediate frame is that of [`ElasticState`].
 #[derive(Debug)]
@@ -75,7 +74,7 @@ pub struct ElasticStateMut<'a, T> {
 }
 
 impl<'a, T: Scalar> ElasticStateMut<'a, T> {
-    /// Puts the view together from places; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(
         displacement: [&'a mut T; 3],
@@ -86,7 +85,7 @@ impl<'a, T: Scalar> ElasticStateMut<'a, T> {
         Self { displacement, angles, velocity, rate }
     }
 
-    /// Sets the displacement Δ in m of the outboard frame's origin from the inboard frame's origin,
+    /// Sets the displacement Δ in m of the outboard origin from the inboard origin,
     /// in components of the intermediate frame.
     #[inline]
     pub fn set_displacement(&mut self, displacement: Vector3<T>) -> &mut Self {
@@ -101,7 +100,7 @@ impl<'a, T: Scalar> ElasticStateMut<'a, T> {
         self
     }
 
-    /// Sets the velocity in m/s of the outboard frame's origin against the inboard frame, along
+    /// Sets the velocity in m/s of the outboard origin relative to the inboard frame, along
     /// inboard axes.
     #[inline]
     pub fn set_velocity(&mut self, velocity: Vector3<T>) -> &mut Self {
@@ -109,8 +108,7 @@ impl<'a, T: Scalar> ElasticStateMut<'a, T> {
         self
     }
 
-    /// Sets the angular velocity of the outboard frame against the inboard one, in rad/s, in
-    /// outboard components.
+    /// Sets the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components.
     #[inline]
     pub fn set_rate(&mut self, rate: Vector3<T>) -> &mut Self {
         store(&mut self.rate, rate.into());

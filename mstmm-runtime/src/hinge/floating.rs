@@ -1,4 +1,5 @@
-//! The floating hinge, which holds nothing: the "acceleration hinge" of `[P, Section 3]`.
+//! The floating hinge (free flyer), which leaves all six degrees of freedom: the "acceleration hinge" of
+//! `[P, Section 3]`.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -6,7 +7,8 @@ use super::orientation::{aligned, from_bryan_angles, store, to_array, to_unit_qu
 use crate::quaternion::to_unit_length;
 use crate::{Error, Scalar};
 
-/// Position, orientation and their rates of a floating hinge, copied from a state.
+/// Position, orientation and their rates of a floating hinge, read from a state.
+#[doc(alias("free flyer", "freejoint", "6-dof joint", "QuaternionFloatingJoint", "floating base"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingState<T> {
     position: [T; 3],
@@ -16,50 +18,48 @@ pub struct FloatingState<T> {
 }
 
 impl<T: Scalar> FloatingState<T> {
-    /// Puts the view together; the orientation is the quaternion's w, x, y, z.
+    /// Makes the view from its values; the orientation is the quaternion w, x, y, z.
     #[inline]
     pub fn new(position: [T; 3], orientation: [T; 4], velocity: [T; 3], rate: [T; 3]) -> Self {
         Self { position, orientation, velocity, rate }
     }
 
-    /// The position of the outboard frame's origin in m, along inboard axes, from the inboard
-    /// frame's origin.
+    /// Returns the position of the outboard origin in m, along inboard axes, from the inboard
+    /// origin.
     #[inline]
     pub fn position(&self) -> Vector3<T> {
         Vector3::from(self.position)
     }
 
-    /// The rotation that turns outboard components into inboard components.
+    /// Returns the rotation that takes outboard components to inboard components.
     ///
-    /// With nalgebra's feature `std` its `euler_angles()` are the Bryan angles θ₁, θ₂, θ₃ of `[P,
-    /// Eq. (1)]` in this order, which is also roll, pitch and yaw. They are not unique at θ₂ =
-    /// ±90°.
+    /// With nalgebra's feature `std`, its `euler_angles()` are the Bryan angles θ₁, θ₂, θ₃ of `[P, Eq. (1)]`, which are
+    /// also roll, pitch and yaw. They are not unique at θ₂ = ±90°.
     #[inline]
     pub fn orientation(&self) -> UnitQuaternion<T> {
         to_unit_quaternion(self.orientation)
     }
 
-    /// The rate of the position in m/s, along inboard axes.
+    /// Returns the rate of the position in m/s, along inboard axes.
     #[inline]
     pub fn velocity(&self) -> Vector3<T> {
         Vector3::from(self.velocity)
     }
 
-    /// The angular velocity of the outboard frame against the inboard one, in rad/s, in outboard
-    /// components.
+    /// Returns the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components.
     #[inline]
     pub fn rate(&self) -> Vector3<T> {
         Vector3::from(self.rate)
     }
 
-    /// The orientation as the state has it: w, x, y, z.
+    /// Returns the orientation as a quaternion w, x, y, z.
     #[doc(hidden)]
     #[inline]
     pub fn quaternion(&self) -> [T; 4] {
         self.orientation
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> ([T; 3], [T; 4], [T; 3], [T; 3]) {
@@ -67,7 +67,7 @@ impl<T: Scalar> FloatingState<T> {
     }
 }
 
-/// At rest, both frames in the same place and aligned.
+/// At rest, with coincident frames.
 impl<T: Scalar> Default for FloatingState<T> {
     fn default() -> Self {
         let zero = [T::default(); 3];
@@ -75,7 +75,7 @@ impl<T: Scalar> Default for FloatingState<T> {
     }
 }
 
-/// Position, orientation and their rates of a floating hinge, to be changed in a state.
+/// Position, orientation and their rates of a floating hinge, for writing to a state.
 #[derive(Debug)]
 pub struct FloatingStateMut<'a, T> {
     /// The hinge's name, for errors.
@@ -87,8 +87,7 @@ pub struct FloatingStateMut<'a, T> {
 }
 
 impl<'a, T: Scalar> FloatingStateMut<'a, T> {
-    /// Puts the view together from places; the orientation is the quaternion's w, x, y, z.
-    /// Generated code does.
+    /// Makes the view from references into a state, with the quaternion w, x, y, z; for generated code.
     #[inline]
     pub fn new(
         position: [&'a mut T; 3],
@@ -99,25 +98,25 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
         Self { hinge: "", position, orientation, velocity, rate }
     }
 
-    /// Sets the position of the outboard frame's origin in m, along inboard axes, from the inboard
-    /// frame's origin.
+    /// Sets the position of the outboard origin in m, along inboard axes, from the inboard
+    /// origin.
     #[inline]
     pub fn set_position(&mut self, position: Vector3<T>) -> &mut Self {
         store(&mut self.position, position.into());
         self
     }
 
-    /// Gives the view the name of its hinge.
+    /// Sets the name of the hinge, for errors.
     #[doc(hidden)]
     #[inline]
     pub fn named(self, hinge: &'static str) -> Self {
         Self { hinge, ..self }
     }
 
-    /// Sets the rotation that turns outboard components into inboard components.
+    /// Sets the rotation that takes outboard components to inboard components.
     ///
-    /// The type says that its length is one, so the components are stored unchanged. Those of a
-    /// quaternion made by `new_unchecked` are checked where the state is used, see
+    /// The type guarantees unit length, so the components are stored unchanged. A quaternion made by `new_unchecked` is
+    /// checked when the state is used, see
     /// [`Error::InvalidQuaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
     #[inline]
     pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
@@ -125,12 +124,12 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
         self
     }
 
-    /// Sets the rotation that turns outboard components into inboard components by the components
-    /// w, x, y, z of a quaternion, which is brought to unit length.
+    /// Sets the rotation that takes outboard components to inboard components by the components
+    /// w, x, y, z of a quaternion, which is normalised.
     ///
     /// # Errors
     /// [`Error::InvalidQuaternion`] if the length is not between 0.9 and 1.1, [`Error::NotFinite`] if a
-    /// component is not finite. The orientation set before is kept.
+    /// component is not finite. The previous orientation is kept.
     #[inline]
     pub fn set_quaternion(&mut self, quaternion: [T; 4]) -> Result<&mut Self, Error> {
         store(&mut self.orientation, to_unit_length(self.hinge, quaternion)?);
@@ -152,8 +151,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
         self
     }
 
-    /// Sets the angular velocity of the outboard frame against the inboard one, in rad/s, in
-    /// outboard components.
+    /// Sets the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components.
     #[inline]
     pub fn set_rate(&mut self, rate: Vector3<T>) -> &mut Self {
         store(&mut self.rate, rate.into());

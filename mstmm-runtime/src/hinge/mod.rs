@@ -1,12 +1,11 @@
-//! Named views of hinges: their coordinates in a state, and what a solution says of them.
+//! Views of hinges by name: their coordinates in a state, their motions, and their results.
 //!
-//! The accessors of a generated state hand out these views, such as `state.elbow()` and
-//! `state.elbow_mut()`. Views to read hold copies, views to write hold references into the state's
-//! arrays. Both speak nalgebra's vectors and quaternions; in the arrays a quaternion lies as w, x,
-//! y, z.
+//! The methods of a generated state return these views, for example `state.elbow()` and `state.elbow_mut()`. Views for
+//! reading have copies of the values, views for writing have references into the arrays of the state. Both use the
+//! vectors and quaternions of nalgebra; in the arrays a quaternion is stored as w, x, y, z.
 //!
-//! To compose or apply the orientations they hand out, nalgebra needs its feature `std` or `libm`;
-//! without either it still hands over their components.
+//! nalgebra needs its feature `std` or `libm` to compose or apply these orientations; without these features their
+//! components can still be read.
 
 mod ball;
 mod cylindrical;

@@ -1,8 +1,8 @@
-//! Hinges that move as they are told.
+//! Prescribed motions of hinges.
 
 /// A prescribed motion of a hinge, or of a frame that an end of the chain is fixed to.
 ///
-/// By default it stays at its zero position.
+/// The default is rest at the zero position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HingeMotion<S, A> {
     /// Coordinates and rates, such as a [`PinState`](super::PinState).

@@ -1,30 +1,30 @@
-//! Between the four numbers of a state, nalgebra's quaternions and the paper's Bryan angles.
+//! Conversions between the quaternions of a state, nalgebra's quaternions and the paper's Bryan angles.
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector4};
 
 use crate::Scalar;
 
-/// The quaternion w, x, y, z of no rotation.
+/// Returns the quaternion w, x, y, z of the identity.
 #[inline]
 pub(super) fn aligned<T: Scalar>() -> [T; 4] {
     let zero = T::default();
     [T::constant(1.0), zero, zero, zero]
 }
 
-/// The quaternion stored as w, x, y, z, whose length is taken to be one.
+/// Returns the quaternion with the components w, x, y, z, whose length is assumed to be one.
 #[inline]
 pub(super) fn to_unit_quaternion<T: Scalar>([w, x, y, z]: [T; 4]) -> UnitQuaternion<T> {
     Unit::new_unchecked(Quaternion { coords: Vector4::new(x, y, z, w) })
 }
 
-/// The storage order w, x, y, z of a quaternion.
+/// Returns the components of a quaternion in the order w, x, y, z.
 #[inline]
 pub(super) fn to_array<T: Scalar>(orientation: UnitQuaternion<T>) -> [T; 4] {
     let [[x, y, z, w]] = orientation.into_inner().coords.data.0;
     [w, x, y, z]
 }
 
-/// The quaternion of A = A_z(θ₃) A_y(θ₂) A_x(θ₁), `[P, Eq. (1)]`: the product of the three
+/// Returns the quaternion of A = A_z(θ₃) A_y(θ₂) A_x(θ₁), `[P, Eq. (1)]`: the product of the three
 /// quaternions of half angles.
 #[inline]
 pub(super) fn from_bryan_angles<T: Scalar>(angles: [T; 3]) -> [T; 4] {
@@ -38,7 +38,7 @@ pub(super) fn from_bryan_angles<T: Scalar>(angles: [T; 3]) -> [T; 4] {
     ]
 }
 
-/// Writes each number to its place.
+/// Writes each value to its reference.
 #[inline]
 pub(super) fn store<T, const N: usize>(places: &mut [&mut T; N], values: [T; N]) {
     for (place, value) in places.iter_mut().zip(values) {

@@ -1,6 +1,7 @@
-//! The pin hinge: one angle about an axis fixed in both elements.
+//! The pin (revolute) hinge: a rotation about an axis fixed in both elements.
 
-/// Angle and rate of a pin hinge, copied from a state.
+/// Angle and rate of a pin hinge, read from a state.
+#[doc(alias("revolute", "hinge joint", "JointModelRX", "RevoluteJoint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PinState<T> {
     angle: T,
@@ -8,26 +9,27 @@ pub struct PinState<T> {
 }
 
 impl<T: Copy> PinState<T> {
-    /// Puts the view together.
+    /// Makes the view from its values.
     #[inline]
     pub fn new(angle: T, rate: T) -> Self {
         Self { angle, rate }
     }
 
-    /// The angle in rad by which the outboard frame is turned against the inboard one, right-handed
-    /// about the axis. It is not wrapped.
+    /// Returns the angle in rad from the inboard to the outboard frame, right-handed about the axis.
+    ///
+    /// It is not wrapped.
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
-    /// The angle's rate in rad/s.
+    /// Returns the rate of the angle in rad/s.
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> (T, T) {
@@ -35,7 +37,7 @@ impl<T: Copy> PinState<T> {
     }
 }
 
-/// Angle and rate of a pin hinge, to be changed in a state.
+/// Angle and rate of a pin hinge, for writing to a state.
 #[derive(Debug)]
 pub struct PinStateMut<'a, T> {
     angle: &'a mut T,
@@ -43,7 +45,7 @@ pub struct PinStateMut<'a, T> {
 }
 
 impl<'a, T> PinStateMut<'a, T> {
-    /// Puts the view together; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(angle: &'a mut T, rate: &'a mut T) -> Self {
         Self { angle, rate }
@@ -56,7 +58,7 @@ impl<'a, T> PinStateMut<'a, T> {
         self
     }
 
-    /// Sets the angle's rate in rad/s.
+    /// Sets the rate of the angle in rad/s.
     #[inline]
     pub fn set_rate(&mut self, rate: T) -> &mut Self {
         *self.rate = rate;

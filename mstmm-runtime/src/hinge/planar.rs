@@ -1,14 +1,15 @@
-//! The planar hinge: shifts along two axes of the inboard frame, and a turn about the third one.
+//! The planar hinge: translations along two axes of the inboard frame, and a rotation about the third axis.
 
 use nalgebra::Vector2;
 
 use super::orientation::store;
 use crate::Scalar;
 
-/// Position, angle and their rates of a planar hinge, copied from a state.
+/// Position, angle and their rates of a planar hinge, read from a state.
 ///
 /// The two axes are those that follow the normal cyclically: x and y with normal z, y and z with
 /// normal x, z and x with normal y. In a plane chain they are x and y.
+#[doc(alias("PlanarJoint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlanarState<T> {
     position: [T; 2],
@@ -18,39 +19,40 @@ pub struct PlanarState<T> {
 }
 
 impl<T: Scalar> PlanarState<T> {
-    /// Puts the view together.
+    /// Makes the view from its values.
     #[inline]
     pub fn new(position: [T; 2], angle: T, velocity: [T; 2], rate: T) -> Self {
         Self { position, angle, velocity, rate }
     }
 
-    /// The position of the outboard frame's origin in m, along the two inboard axes, from the
+    /// Returns the position of the outboard origin in m, along the two inboard axes, from the
     /// inboard frame's origin.
     #[inline]
     pub fn position(&self) -> Vector2<T> {
         Vector2::from(self.position)
     }
 
-    /// The angle in rad by which the outboard frame is turned against the inboard one, right-handed
-    /// about the normal. It is not wrapped.
+    /// Returns the angle in rad from the inboard to the outboard frame, right-handed about the normal.
+    ///
+    /// It is not wrapped.
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
-    /// The rate of the position in m/s, along the two inboard axes.
+    /// Returns the rate of the position in m/s, along the two inboard axes.
     #[inline]
     pub fn velocity(&self) -> Vector2<T> {
         Vector2::from(self.velocity)
     }
 
-    /// The angle's rate in rad/s.
+    /// Returns the rate of the angle in rad/s.
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> ([T; 2], T, [T; 2], T) {
@@ -58,7 +60,7 @@ impl<T: Scalar> PlanarState<T> {
     }
 }
 
-/// Position, angle and their rates of a planar hinge, to be changed in a state.
+/// Position, angle and their rates of a planar hinge, for writing to a state.
 ///
 /// The two axes are those of [`PlanarState`].
 #[derive(Debug)]
@@ -70,7 +72,7 @@ pub struct PlanarStateMut<'a, T> {
 }
 
 impl<'a, T: Scalar> PlanarStateMut<'a, T> {
-    /// Puts the view together from places; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(
         position: [&'a mut T; 2],
@@ -81,7 +83,7 @@ impl<'a, T: Scalar> PlanarStateMut<'a, T> {
         Self { position, angle, velocity, rate }
     }
 
-    /// Sets the position of the outboard frame's origin in m, along the two inboard axes, from the
+    /// Sets the position of the outboard origin in m, along the two inboard axes, from the
     /// inboard frame's origin.
     #[inline]
     pub fn set_position(&mut self, position: Vector2<T>) -> &mut Self {
@@ -103,7 +105,7 @@ impl<'a, T: Scalar> PlanarStateMut<'a, T> {
         self
     }
 
-    /// Sets the angle's rate in rad/s.
+    /// Sets the rate of the angle in rad/s.
     #[inline]
     pub fn set_rate(&mut self, rate: T) -> &mut Self {
         *self.rate = rate;

@@ -1,15 +1,14 @@
-//! The elastic hinge of a plane chain: free in all three directions, with springs and dampers along
-//! its own coordinates.
+//! The elastic hinge of a plane chain: three degrees of freedom with springs and dampers along its coordinates.
 
 use nalgebra::Vector2;
 
 use super::orientation::store;
 use crate::Scalar;
 
-/// Displacement, angle and their rates of a plane elastic hinge, copied from a state.
+/// Displacement, angle and their rates of a plane elastic hinge, read from a state.
 ///
-/// The displacement is measured along the outboard axes, which are the inboard ones turned by the
-/// angle.
+/// The displacement is along the outboard axes, which are the inboard axes rotated by the angle.
+#[doc(alias("bushing"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlaneElasticState<T> {
     displacement: [T; 2],
@@ -19,41 +18,40 @@ pub struct PlaneElasticState<T> {
 }
 
 impl<T: Scalar> PlaneElasticState<T> {
-    /// Puts the view together from Δ, the angle, the velocity along inboard axes and the angle's
+    /// Makes the view from Δ, the angle, the velocity along inboard axes and the angle's
     /// rate.
     #[inline]
     pub fn new(displacement: [T; 2], angle: T, velocity: [T; 2], rate: T) -> Self {
         Self { displacement, angle, velocity, rate }
     }
 
-    /// The displacement Δ in m of the outboard frame's origin from the inboard frame's origin, in
+    /// Returns the displacement Δ in m of the outboard origin from the inboard origin, in
     /// outboard components. Along inboard axes it is A_z(θ) Δ.
     #[inline]
     pub fn displacement(&self) -> Vector2<T> {
         Vector2::from(self.displacement)
     }
 
-    /// The angle θ in rad by which the outboard frame is turned against the inboard one,
-    /// counter-clockwise. It is not wrapped.
+    /// Returns the counter-clockwise angle θ in rad from the inboard to the outboard frame, not wrapped.
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
-    /// The velocity in m/s of the outboard frame's origin against the inboard frame, along inboard
-    /// axes. It is not the rate of the displacement, whose axes turn.
+    /// Returns the velocity in m/s of the outboard origin relative to the inboard frame, along inboard
+    /// axes. It is not the rate of the displacement, whose axes rotate.
     #[inline]
     pub fn velocity(&self) -> Vector2<T> {
         Vector2::from(self.velocity)
     }
 
-    /// The angle's rate in rad/s.
+    /// Returns the rate of the angle in rad/s.
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> ([T; 2], T, [T; 2], T) {
@@ -61,7 +59,7 @@ impl<T: Scalar> PlaneElasticState<T> {
     }
 }
 
-/// Displacement, angle and their rates of a plane elastic hinge, to be changed in a state.
+/// Displacement, angle and their rates of a plane elastic hinge, for writing to a state.
 #[derive(Debug)]
 pub struct PlaneElasticStateMut<'a, T> {
     displacement: [&'a mut T; 2],
@@ -71,7 +69,7 @@ pub struct PlaneElasticStateMut<'a, T> {
 }
 
 impl<'a, T: Scalar> PlaneElasticStateMut<'a, T> {
-    /// Puts the view together from places; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(
         displacement: [&'a mut T; 2],
@@ -82,7 +80,7 @@ impl<'a, T: Scalar> PlaneElasticStateMut<'a, T> {
         Self { displacement, angle, velocity, rate }
     }
 
-    /// Sets the displacement Δ in m of the outboard frame's origin from the inboard frame's origin,
+    /// Sets the displacement Δ in m of the outboard origin from the inboard origin,
     /// in outboard components.
     #[inline]
     pub fn set_displacement(&mut self, displacement: Vector2<T>) -> &mut Self {
@@ -97,7 +95,7 @@ impl<'a, T: Scalar> PlaneElasticStateMut<'a, T> {
         self
     }
 
-    /// Sets the velocity in m/s of the outboard frame's origin against the inboard frame, along
+    /// Sets the velocity in m/s of the outboard origin relative to the inboard frame, along
     /// inboard axes.
     #[inline]
     pub fn set_velocity(&mut self, velocity: Vector2<T>) -> &mut Self {
@@ -105,7 +103,7 @@ impl<'a, T: Scalar> PlaneElasticStateMut<'a, T> {
         self
     }
 
-    /// Sets the angle's rate in rad/s.
+    /// Sets the rate of the angle in rad/s.
     #[inline]
     pub fn set_rate(&mut self, rate: T) -> &mut Self {
         *self.rate = rate;

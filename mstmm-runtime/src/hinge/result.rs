@@ -1,11 +1,13 @@
-//! What a solution says of hinges.
+//! Results at hinges.
 
 use core::marker::PhantomData;
 
 use crate::{ConnectionPoint, Point};
 
-/// What a solution says of one hinge. `V` is a number for a hinge with one coordinate, a vector for
-/// others; `P` is the kind of connection point, [`Point`] in space.
+/// The results at one hinge: acceleration, effort and both connection points.
+///
+/// `V` is a scalar for a hinge with one rate, else a vector. `P` is the type of connection points, [`Point`] in space.
+#[doc(alias = "joint")]
 #[derive(Clone, Copy, Debug)]
 pub struct HingeResult<T, V, P = Point<T>> {
     acceleration: V,
@@ -16,32 +18,35 @@ pub struct HingeResult<T, V, P = Point<T>> {
 }
 
 impl<T, V: Copy, P: ConnectionPoint<Scalar = T> + Copy> HingeResult<T, V, P> {
-    /// Puts the result together; generated code does.
+    /// Makes the result; for generated code.
     #[inline]
     pub fn new(acceleration: V, effort: V, input: P, output: P) -> Self {
         Self { acceleration, effort, input, output, number: PhantomData }
     }
 
-    /// The time derivative of the hinge's rates, in the frame of the rates: rad/s² and m/s².
+    /// Returns the time derivative of the rates of the hinge, in the frame of the rates: rad/s² and m/s².
+    #[doc(alias("qdd", "qacc", "vdot"))]
     #[inline]
     pub fn acceleration(&self) -> V {
         self.acceleration
     }
 
-    /// The torque (N·m) or force (N) of the hinge's motor along its free directions, positive where
-    /// it drives the rates up; of a hinge that moves as prescribed, what its drive must supply.
+    /// Returns the torque (N·m) or force (N) of the motor along the degrees of freedom, positive if it increases the rates.
+    ///
+    /// For a hinge with a prescribed motion it is the effort that its drive must supply.
+    #[doc(alias("joint torque", "tau", "qfrc_actuator", "generalized force"))]
     #[inline]
     pub fn effort(&self) -> V {
         self.effort
     }
 
-    /// The hinge's input end, on the inboard side.
+    /// Returns the input of the hinge, on the inboard side.
     #[inline]
     pub fn input(&self) -> P {
         self.input
     }
 
-    /// The hinge's output end, on the outboard side.
+    /// Returns the output of the hinge, on the outboard side.
     #[inline]
     pub fn output(&self) -> P {
         self.output

@@ -1,7 +1,7 @@
-//! The screw hinge: a turn about an axis fixed in both elements, and with it a shift along that
-//! axis.
+//! The screw hinge: a rotation about an axis fixed in both elements, coupled with a translation along the axis.
 
-/// Angle and rate of a screw hinge, copied from a state.
+/// Angle and rate of a screw hinge, read from a state.
+#[doc(alias("helical", "ScrewJoint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ScrewState<T> {
     angle: T,
@@ -9,26 +9,27 @@ pub struct ScrewState<T> {
 }
 
 impl<T: Copy> ScrewState<T> {
-    /// Puts the view together.
+    /// Makes the view from its values.
     #[inline]
     pub fn new(angle: T, rate: T) -> Self {
         Self { angle, rate }
     }
 
-    /// The angle in rad by which the outboard frame is turned against the inboard one, right-handed
-    /// about the axis. It is not wrapped: times the pitch it is the shift along the axis.
+    /// Returns the angle in rad from the inboard to the outboard frame, right-handed about the axis.
+    ///
+    /// It is not wrapped. The translation along the axis is the angle times the pitch.
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
-    /// The angle's rate in rad/s.
+    /// Returns the rate of the angle in rad/s.
     #[inline]
     pub fn rate(&self) -> T {
         self.rate
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> (T, T) {
@@ -36,7 +37,7 @@ impl<T: Copy> ScrewState<T> {
     }
 }
 
-/// Angle and rate of a screw hinge, to be changed in a state.
+/// Angle and rate of a screw hinge, for writing to a state.
 #[derive(Debug)]
 pub struct ScrewStateMut<'a, T> {
     angle: &'a mut T,
@@ -44,20 +45,20 @@ pub struct ScrewStateMut<'a, T> {
 }
 
 impl<'a, T> ScrewStateMut<'a, T> {
-    /// Puts the view together; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(angle: &'a mut T, rate: &'a mut T) -> Self {
         Self { angle, rate }
     }
 
-    /// Sets the angle in rad; times the pitch it is the shift along the axis.
+    /// Sets the angle in rad. The translation along the axis is the angle times the pitch.
     #[inline]
     pub fn set_angle(&mut self, angle: T) -> &mut Self {
         *self.angle = angle;
         self
     }
 
-    /// Sets the angle's rate in rad/s.
+    /// Sets the rate of the angle in rad/s.
     #[inline]
     pub fn set_rate(&mut self, rate: T) -> &mut Self {
         *self.rate = rate;

@@ -1,6 +1,7 @@
-//! The slider hinge: one shift along an axis fixed in both elements.
+//! The slider (prismatic) hinge: a translation along an axis fixed in both elements.
 
-/// Position and velocity of a slider hinge, copied from a state.
+/// Position and velocity of a slider hinge, read from a state.
+#[doc(alias("prismatic", "slide joint", "PrismaticJoint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SliderState<T> {
     position: T,
@@ -8,26 +9,26 @@ pub struct SliderState<T> {
 }
 
 impl<T: Copy> SliderState<T> {
-    /// Puts the view together.
+    /// Makes the view from its values.
     #[inline]
     pub fn new(position: T, velocity: T) -> Self {
         Self { position, velocity }
     }
 
-    /// The position in m of the outboard frame's origin along the axis, from the inboard frame's
+    /// Returns the position in m of the outboard origin along the axis, from the inboard
     /// origin.
     #[inline]
     pub fn position(&self) -> T {
         self.position
     }
 
-    /// The position's rate in m/s.
+    /// Returns the rate of the position in m/s.
     #[inline]
     pub fn velocity(&self) -> T {
         self.velocity
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> (T, T) {
@@ -35,7 +36,7 @@ impl<T: Copy> SliderState<T> {
     }
 }
 
-/// Position and velocity of a slider hinge, to be changed in a state.
+/// Position and velocity of a slider hinge, for writing to a state.
 #[derive(Debug)]
 pub struct SliderStateMut<'a, T> {
     position: &'a mut T,
@@ -43,21 +44,21 @@ pub struct SliderStateMut<'a, T> {
 }
 
 impl<'a, T> SliderStateMut<'a, T> {
-    /// Puts the view together; generated code does.
+    /// Makes the view from references into a state; for generated code.
     #[inline]
     pub fn new(position: &'a mut T, velocity: &'a mut T) -> Self {
         Self { position, velocity }
     }
 
-    /// Sets the position in m of the outboard frame's origin along the axis, from the inboard
-    /// frame's origin.
+    /// Sets the position in m of the outboard origin along the axis, from the inboard
+    /// origin.
     #[inline]
     pub fn set_position(&mut self, position: T) -> &mut Self {
         *self.position = position;
         self
     }
 
-    /// Sets the position's rate in m/s.
+    /// Sets the rate of the position in m/s.
     #[inline]
     pub fn set_velocity(&mut self, velocity: T) -> &mut Self {
         *self.velocity = velocity;

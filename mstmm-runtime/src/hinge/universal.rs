@@ -1,12 +1,13 @@
-//! The universal hinge: two turns one after the other, about an axis fixed in the inboard element
-//! and about one fixed in the outboard element.
+//! The universal hinge: a rotation about an axis fixed in the inboard element, then one about an axis fixed in the
+//! outboard element.
 
 use nalgebra::Vector2;
 
 use super::orientation::store;
 use crate::Scalar;
 
-/// Angles and rates of a universal hinge, copied from a state.
+/// Angles and rates of a universal hinge, read from a state.
+#[doc(alias("UniversalJoint", "cardan", "Hooke joint"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UniversalState<T> {
     angles: [T; 2],
@@ -14,27 +15,28 @@ pub struct UniversalState<T> {
 }
 
 impl<T: Scalar> UniversalState<T> {
-    /// Puts the view together from α, β and their rates.
+    /// Makes the view from α, β and their rates.
     #[inline]
     pub fn new(angles: [T; 2], rates: [T; 2]) -> Self {
         Self { angles, rates }
     }
 
-    /// The angles α and β in rad: the outboard frame is turned against the inboard one by Rot(a, α)
-    /// Rot(b, β), with axis a fixed in the inboard and axis b in the outboard element. They are not
-    /// wrapped.
+    /// Returns the angles α and β in rad, which are not wrapped.
+    ///
+    /// The rotation from the inboard to the outboard frame is Rot(a, α) Rot(b, β), with axis a fixed in the inboard and
+    /// axis b in the outboard element.
     #[inline]
     pub fn angles(&self) -> Vector2<T> {
         Vector2::from(self.angles)
     }
 
-    /// The rates of α and β in rad/s.
+    /// Returns the rates of α and β in rad/s.
     #[inline]
     pub fn rates(&self) -> Vector2<T> {
         Vector2::from(self.rates)
     }
 
-    /// What [`new`](Self::new) was given.
+    /// Returns the arguments of [`new`](Self::new).
     #[doc(hidden)]
     #[inline]
     pub fn into_groups(self) -> ([T; 2], [T; 2]) {
@@ -42,7 +44,7 @@ impl<T: Scalar> UniversalState<T> {
     }
 }
 
-/// Angles and rates of a universal hinge, to be changed in a state.
+/// Angles and rates of a universal hinge, for writing to a state.
 #[derive(Debug)]
 pub struct UniversalStateMut<'a, T> {
     angles: [&'a mut T; 2],
@@ -50,7 +52,7 @@ pub struct UniversalStateMut<'a, T> {
 }
 
 impl<'a, T: Scalar> UniversalStateMut<'a, T> {
-    /// Puts the view together from the places of α, β and of their rates; generated code does.
+    /// Makes the view from references to α, β and of their rates; for generated code.
     #[inline]
     pub fn new(angles: [&'a mut T; 2], rates: [&'a mut T; 2]) -> Self {
         Self { angles, rates }
