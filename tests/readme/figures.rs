@@ -40,6 +40,25 @@ fn operations() -> Vec<String> {
     rows.into_iter().map(row).collect()
 }
 
+/// The rows of the table of times, from the benchmarks' table.
+fn times() -> Vec<String> {
+    let rows = [
+        ("ten rods on parallel pins", "A10"),
+        ("three cubes on balls", "B3"),
+        ("Franka Emika Panda", "D7"),
+    ];
+    let benches = read("benches/README.md");
+    let row = |(label, chain)| {
+        let start = format!("| {chain}, accelerations |");
+        let row = benches.lines().find(|line| line.starts_with(&start)).expect("a row");
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        // This library, the fastest C, Pinocchio, MuJoCo.
+        let [ours, c, pinocchio, mujoco] = [2, 5, 7, 8].map(|cell| cells[cell]);
+        format!("| {label} | {ours} | {c} | {pinocchio} | {mujoco} |")
+    };
+    rows.into_iter().map(row).collect()
+}
+
 /// The cost of a step of the Panda, from the firmware's table.
 fn firmware() -> Vec<String> {
     let figures = read("examples/firmware/FIGURES.md");
@@ -74,7 +93,7 @@ fn prose(readme: &str) -> String {
 #[test]
 fn every_figure_has_a_source() {
     let mut text = prose(&read("README.md"));
-    for figure in [operations(), firmware(), stated()].concat() {
+    for figure in [operations(), times(), firmware(), stated()].concat() {
         let without = text.replacen(&figure, "", 1);
         assert!(without != text, "the README should say\n{figure}");
         text = without;
