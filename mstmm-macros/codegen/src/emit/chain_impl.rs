@@ -113,22 +113,22 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
         },
         assemble: quote! {
             impl<T: #mstmm::Scalar> #name<T> {
-                /// Closes the chain: moves `state` to coordinates and rates nearby that fulfil the
-                /// closure.
+                /// Assembles the chain: moves `state` to nearby coordinates and rates that satisfy the loop
+                /// constraints.
                 ///
-                /// The coordinates are found by Newton's method. Of all small motions that close
-                /// the gap to first order, each correction is the one with the least kinetic energy,
-                /// ½ δᵀ M δ for a motion δ along the rates and the mass matrix M of bodies and rotors.
-                /// The rates are changed along with them: of all changes that make the closing
-                /// hinge's sides move alike, each is the one with the least kinetic energy, as
-                /// an impulse in the closing hinge would make it. Each correction is minimal; the sum
-                /// of several corrections is minimal up to the square of its length.
+                /// The coordinates are found by Newton's method. Of all small motions that satisfy the
+                /// linearised constraints, each correction is the one with the least kinetic energy,
+                /// ½ δᵀ M δ for a motion δ along the rates and the mass matrix M of bodies and rotors. The
+                /// sum of several corrections is minimal up to the square of its length. With each
+                /// correction the rates change, too: by the smallest change in kinetic energy that
+                /// satisfies the constraints of the velocities, as an impulse in the closing hinge would
+                /// change them.
                 ///
                 /// # Errors
                 ///
-                /// `Error::NotAssembled` if the corrections do not converge, `Error::ClosureRank` if they lead to
-                /// a pose in which the closure has a higher rank than around the start;
-                /// `state` is left as it was.
+                /// `Error::NotAssembled` if the corrections do not converge, `Error::ClosureRank` if the loop
+                /// constraints have a higher rank at the result than around the start of the description;
+                /// `state` is then unchanged.
                 #(#[doc = #errors])*
                 #[allow(dead_code)]
                 #visibility fn assemble(
@@ -205,7 +205,7 @@ pub fn energy(cx: &EmitContext) -> Option<TokenStream> {
     let (mstmm, state, visibility) = (&cx.mstmm, &cx.names.state, &cx.passthrough.visibility);
     cx.chain.has_prescribed_hinges().then(|| {
         quote! {
-            /// Kinetic and potential energy in J, with prescribed motions at rest in the zero position.
+            /// Returns kinetic and potential energy in J, with prescribed motions at rest in the zero position.
             #[inline]
             #[must_use]
             #visibility fn energy(&self, state_: &#state<T>) -> #mstmm::Energy<T> {

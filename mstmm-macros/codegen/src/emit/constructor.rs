@@ -81,13 +81,13 @@ fn constructors(cx: &EmitContext) -> TokenStream {
     let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData));
     let chain = closure::found(cx, true, quote!(chain_));
     let doc = if cx.chain.parameters.is_empty() {
-        " The chain as described."
+        " Makes the chain of the description."
     } else {
-        " The chain as described, its parameters at their defaults."
+        " Makes the chain of the description, with default parameters."
     };
     let read = match cx.chain.parameters.is_empty() {
-        true => " The values that may change at run time: there are none.",
-        false => " The values that may change at run time. Each has a setter.",
+        true => " Returns the parameters, which can change at run time: there are none.",
+        false => " Returns the parameters, which can change at run time. Each has a setter.",
     };
     quote! {
         #[doc = #doc]
@@ -128,7 +128,10 @@ fn derive(cx: &EmitContext) -> TokenStream {
         quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)
     });
     let parameters = &cx.names.parameters;
-    let doc = format!(" Quantities derived from parameters and constants: {}.", procedure.cost());
+    let doc = format!(
+        " Computes the values derived from parameters and constants: {}.",
+        procedure.cost()
+    );
     let derived = sealed::paired(quote!(derived_), parts);
     quote! {
         #[doc = #doc]

@@ -13,21 +13,20 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     lines.push(format!(" `{}`", route(cx)));
     lines.extend(cx.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
-    lines.push(" | element | what it is | freedoms |".into());
+    lines.push(" | element | kind | degrees of freedom |".into());
     lines.push(" |---|---|---|".into());
     lines.extend(cx.chain.route.iter().map(|&element| row(cx, element)));
     lines.push(String::new());
     lines.extend(freedoms(cx));
     lines.push(String::new());
     let cost = cx.compiled.function(Answer::Accelerations).procedure.cost();
-    let each =
-        if cx.chain.repeats.is_empty() { "" } else { "; those of repeated parts are counted once" };
+    let each = if cx.chain.repeats.is_empty() { "" } else { "; a repeated part counts once" };
     let whole = match cx.chain.results {
-        Results::ALL => "everything at every connection point",
-        _ => "the results that are asked for",
+        Results::ALL => "all results at every connection point",
+        _ => "the selected results",
     };
     lines.push(format!(
-        " Accelerations by `{}`, {} operations ({cost}); with {whole} {} operations{each}.",
+        " Accelerations by `{}`: {} operations ({cost}). With {whole}: {} operations{each}.",
         method_name(cx.compiled.method),
         cost.arithmetic(),
         cx.compiled.function(Answer::Solution).procedure.cost().arithmetic(),
@@ -49,10 +48,10 @@ fn precision(cx: &EmitContext) -> Vec<String> {
     let times = if ratio < 1e3 { format!("{ratio:.0}") } else { format!("{ratio:.1e}") };
     let error = |epsilon: f64| TRANSFER_LOSS * (10.0 + ratio) * epsilon;
     let text = format!(
-        " **Precision of `transfer`.** The largest mass is {times} times the smallest, with parameters at \
-         their defaults. `transfer` may lose digits by that factor: for bodies of similar size the relative error of \
-         accelerations is up to {:.1e} in `f64` and {:.1e} in `f32`, that of wrenches at the lightest bodies up to a hundred times \
-         more. `riccati` does not lose them.",
+        " **Precision of `transfer`.** The largest mass is {times} times the smallest, with default parameters. \
+         `transfer` can lose digits by that factor: for bodies of similar size the relative error of accelerations \
+         is up to {:.1e} in `f64` and {:.1e} in `f32`. The error of wrenches at the lightest bodies is up to a \
+         hundred times larger. `riccati` does not lose digits.",
         error(f64::EPSILON),
         error(f32::EPSILON.into()),
     );
@@ -82,18 +81,18 @@ fn freedoms(cx: &EmitContext) -> Vec<String> {
     }
     let rates = if count == 1 { "rate" } else { "rates" };
     let Some(Mobility { freedoms, held, redundant }) = cx.findings.mobility else {
-        return vec![format!(" {count} {rates}, closed by the last hinge.")];
+        return vec![format!(" {count} {rates}; the last hinge closes the loop.")];
     };
     let mut lines = vec![format!(
-        " Mobility {freedoms}: {count} {rates}, of which the closure takes {}.",
+        " Mobility {freedoms}: {count} {rates}, of which the loop constraints remove {}.",
         count - freedoms
     )];
     if redundant > 0 {
         lines.push(String::new());
         lines.push(format!(
-            " **Warning: the closure is redundant.** {redundant} of the {held} directions that \
-             the last hinge holds follow from the others. The motion is unique all the same; the reactions are not, and the \
-             smallest come out: `closure()` of the workspace tells which."
+            " **Warning: the loop constraints are redundant.** {redundant} of the {held} directions that \
+             the last hinge constrains follow from the others. The motion is unique, but the reactions are not: \
+             those of least norm are reported, and `closure()` of the workspace has the redundant directions."
         ));
     }
     lines
@@ -143,14 +142,14 @@ fn row(cx: &EmitContext, element: Element) -> String {
         Element::Hinge(index) => {
             let hinge = &cx.chain.hinges[index];
             let kind = hinge.kind.spec().word;
-            let told = if hinge.is_prescribed() { ", moves as it is told" } else { "" };
+            let motion = if hinge.is_prescribed() { ", prescribed motion" } else { "" };
             let axes: Vec<String> = hinge.kind.axes().iter().filter_map(axis).collect();
             let about = match &axes[..] {
                 [] => String::new(),
                 axes => format!("({})", axes.join(", ")),
             };
             let freedoms = if hinge.is_prescribed() { 0 } else { hinge.kind.dof_count() };
-            format!(" | `{}` | {kind}{about}{told} | {freedoms} |", hinge.name)
+            format!(" | `{}` | {kind}{about}{motion} | {freedoms} |", hinge.name)
         }
     }
 }

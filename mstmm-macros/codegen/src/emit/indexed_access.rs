@@ -92,9 +92,12 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
     let new = all.iter().map(|name| helper(&format!("new_{name}")));
     let all = all.iter().map(|name| helper(name));
     let times = usize_literal(count);
-    let doc = format!(" Coordinates and rates of hinge `{name}` number `index` of {count}.");
+    let doc = format!(
+        " Returns coordinates and rates of hinge `{name}` in repetition `index` of {count}."
+    );
     let doc_mut = format!("{doc} To be changed.");
-    let doc_set = format!(" Sets coordinates and rates of all hinges `{name}` by their index.");
+    let doc_set =
+        format!(" Sets coordinates and rates of hinge `{name}` in all repetitions, by index.");
     quote! {
         #[doc = #doc]
         #[inline]
@@ -209,7 +212,9 @@ pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> 
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let contents = body::contents(body);
-    let doc = format!(" Results at body `{name}` number `index` of {count}: {contents}.");
+    let doc = format!(
+        " Returns the results at body `{name}` in repetition `index` of {count}: {contents}."
+    );
     let (ends, ty) = (ends(cx, place, count), body::type_of(cx, body));
     let result = body::result(cx, (index, place), &quote!(first_));
     quote! {
@@ -256,7 +261,7 @@ pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -
     let accelerations = cx.rate_accelerations();
     let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));
     let doc = format!(
-        " Acceleration, effort, input and output of hinge `{name}` number `index` of {count}."
+        " Returns acceleration, effort, input and output of hinge `{name}` in repetition `index` of {count}."
     );
     let ends = ends(cx, place, count);
     quote! {

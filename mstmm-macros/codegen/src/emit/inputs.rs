@@ -12,7 +12,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.inputs, &cx.passthrough.visibility);
     let chain = &cx.names.chain;
-    let doc = format!(" What drives [`{chain}`] from outside, given at every step.");
+    let doc =
+        format!(" The inputs of [`{chain}`]: what acts on it from outside, given at every step.");
     let inputs = &cx.layout.inputs;
     let fields = inputs.iter().map(|input| {
         let (name, doc, one) =
@@ -47,7 +48,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #chain<T> {
-            /// Inputs that are all zero; prescribed motions rest in the zero position.
+            /// Returns inputs that are all zero; prescribed motions are at rest in the zero position.
             #[inline]
             #[must_use]
             #visibility fn no_inputs(&self) -> #name<T> {
@@ -71,11 +72,11 @@ fn doc_of(cx: &EmitContext, input: &Input) -> String {
             let unit = |turns: bool| if turns { "N m" } else { "N" };
             let units: Vec<&str> = kind.spec().groups.iter().map(|g| unit(g.turns)).collect();
             let unit = units.join(", ");
-            format!(" Efforts in {unit} that drive `{name}`, in the order of its rates.")
+            format!(" The efforts of the motor of `{name}` in {unit}, in the order of its rates.")
         }
         InputKind::Motion(index) => {
             let Hinge { name, .. } = &cx.chain.hinges[index];
-            format!(" The motion of `{name}`.")
+            format!(" The prescribed motion of `{name}`.")
         }
         InputKind::Force(load) => format!(" The force of `{}` in N.", cx.chain.loads[load].name),
         InputKind::Torque(load) => {

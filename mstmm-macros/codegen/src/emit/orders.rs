@@ -7,14 +7,14 @@ use std::ops::Range;
 /// Returns the order of the coordinates and rates, with the indices of every hinge.
 pub fn of_state(cx: &EmitContext) -> Vec<String> {
     let mut lines: Vec<String> = vec![
-        " The hinges lie one after the other in the order of the route. A body that floats comes"
+        " The entries of all hinges are in the order of the route. The floating base comes first, if there"
             .into(),
-        " first; a hinge whose motion is prescribed has no place.".into(),
+        " is one. Hinges with a prescribed motion have no entries.".into(),
     ];
     if !cx.chain.repeats.is_empty() {
         lines.extend([
-            " A repeated part lies repetition by repetition: all its hinges in the order of the route".into(),
-            " for the first repetition, then all of them for the second, and so on.".into(),
+            " A repeated part is in the order of its repetitions: all its hinges of the first repetition in".into(),
+            " the order of the route, then all of the second, and so on.".into(),
         ]);
     }
     let (q, v) = (cx.coordinates(), cx.rates());
@@ -37,7 +37,7 @@ pub fn of_state(cx: &EmitContext) -> Vec<String> {
     if !rows.is_empty() {
         let k = if cx.chain.repeats.is_empty() { "" } else { ", with k from zero" };
         lines.push(String::new());
-        lines.push(format!(" | of | places in `q`{k} | places in `v` |"));
+        lines.push(format!(" | hinge | indices in `q`{k} | indices in `v` |"));
         lines.push(" |---|---|---|".into());
         lines.extend(rows);
     }
@@ -63,13 +63,13 @@ fn places(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
 /// Returns the order of the connection points.
 pub fn of_points(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![
-        " All connection points in the order of the route: the input of the first element, then the".into(),
-        " output of every element, which is the input of the next one.".into(),
+        " Returns all connection points in the order of the route: the input of the first element, then the".into(),
+        " output of every element, which is the input of the next element.".into(),
     ];
     if !cx.chain.repeats.is_empty() {
         lines.extend([
-            " Those of a repeated part come repetition by repetition: the outputs of all its elements".into(),
-            " for the first repetition, then those for the second, and so on.".into(),
+            " A repeated part is in the order of its repetitions: the outputs of all its elements of the first".into(),
+            " repetition, then those of the second, and so on.".into(),
         ]);
     }
     lines

@@ -15,7 +15,7 @@ use quote::{format_ident, quote};
 pub fn type_of_all(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
-    let doc = format!(" Numbers of [`{}`] that may change at run time.", cx.names.chain);
+    let doc = format!(" The parameters of [`{}`], which can change at run time.", cx.names.chain);
     let fields = cx.chain.parameters.iter().map(|parameter| {
         let (name, ty) = (&parameter.name, type_of(parameter));
         quote!(#name: #ty)
@@ -112,7 +112,8 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         ),
     };
     let each = parameter.repetitions.map(|times| {
-        let doc = format!(" One number for each of {times} times, from `value` by index.");
+        let doc =
+            format!(" `value` returns the number of each of the {times} repetitions, by index.");
         quote! {
             ///
             #[doc = #doc]
@@ -124,7 +125,7 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     let cost = (is_used && closure::directions(cx).is_some()).then(|| {
         quote! {
             ///
-            /// It finds the rank of the closure again, in up to four poses that are assembled around
+            /// It computes the rank of the loop constraints again, in up to four poses assembled around
             /// the start. If none can be assembled, no direction counts as redundant.
         }
     });

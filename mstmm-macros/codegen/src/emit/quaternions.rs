@@ -135,10 +135,9 @@ pub fn near_one(cx: &EmitContext) -> Vec<String> {
     }
     let lines = [
         "",
-        " Quaternions may have any length near one, as those of an integrator's stages have. They",
-        " are used unchanged and are not checked: for a quaternion of length n whose rotation matrix",
-        " is R, the matrix (1 − n²) 1 + n² R is used instead of R, which is R up to terms of the",
-        " order of n² − 1.",
+        " Quaternions may have any length near one, as in the stages of an integrator. They are used",
+        " unchanged and without checks: for a quaternion of length n with the rotation matrix R, the",
+        " matrix (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1.",
     ];
     lines.map(str::to_owned).into()
 }

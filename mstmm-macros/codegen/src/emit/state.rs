@@ -12,7 +12,7 @@ use std::ops::Range;
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
-    let doc = format!(" Coordinates and rates of [`{}`] at a time.", cx.names.chain);
+    let doc = format!(" The state of [`{}`]: coordinates, rates and time.", cx.names.chain);
     let coordinates = usize_literal(cx.coordinates().total);
     let freedoms = usize_literal(cx.rates().total);
     let accessors = cx.chain.hinges.ids().into_iter().map(|index| accessors(cx, index));
@@ -27,11 +27,13 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         #[derive(Clone, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
-            /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+            /// The coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+            #[doc(alias("generalized coordinates", "qpos", "configuration", "nq"))]
             #visibility q: #mstmm::nalgebra::SVector<T, #coordinates>,
-            /// Rates in rad/s and m/s.
+            /// The rates in rad/s and m/s.
+            #[doc(alias("generalized velocities", "qvel", "nv"))]
             #visibility v: #mstmm::nalgebra::SVector<T, #freedoms>,
-            /// Time in s.
+            /// The time in s.
             #visibility t: T,
         }
         #[allow(dead_code, non_snake_case)]
@@ -132,8 +134,8 @@ fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
     let visibility = &cx.passthrough.visibility;
     let on_route = cx.chain.route.contains(&Element::Hinge(index));
     let kind = if on_route { "hinge" } else { "body" };
-    let doc = format!(" Coordinates and rates of {kind} `{name}`.");
-    let doc_mut = format!(" Coordinates and rates of {kind} `{name}`, to be changed.");
+    let doc = format!(" Returns coordinates and rates of {kind} `{name}`.");
+    let doc_mut = format!(" Returns coordinates and rates of {kind} `{name}`, for writing.");
     if !cx.chain.repeats.is_empty() {
         return indexed_access::single_accessors(cx, index, (&doc, &doc_mut));
     }

@@ -14,7 +14,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, chain) = (&cx.names.workspace, &cx.names.chain);
     let visibility = &cx.passthrough.visibility;
-    let doc = format!(" Results of [`{chain}::solve_into`]: {}.", docs::results(cx));
+    let doc = format!(" The results of [`{chain}::solve_into`]: {}.", docs::results(cx));
     let freedoms = usize_literal(cx.rates().total);
     let point_count = usize_literal(cx.points().total);
     let number_count = usize_literal(cx.numbers_of_points().total);
@@ -71,7 +71,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
-            /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
+            /// Returns the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s².
             #[inline]
             #visibility fn accelerations(&self) -> &#mstmm::nalgebra::SVector<T, #freedoms> {
                 &self.accelerations
@@ -106,7 +106,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #chain<T> {
-            /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
+            /// Returns an empty workspace for [`solve_into`](Self::solve_into). Its contents are unspecified until then.
             #[must_use]
             #[allow(clippy::all)]
             #visibility fn workspace(&self) -> #name<T> {
@@ -159,14 +159,15 @@ fn energies(cx: &EmitContext) -> EnergyItems {
             potential_energy: #potential,
         },
         methods: quote! {
-            /// Kinetic energy in J.
+            /// Returns the kinetic energy in J.
             #[inline]
             #visibility fn kinetic_energy(&self) -> T {
                 self.kinetic_energy
             }
 
-            /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
-            /// origin, and of springs.
+            /// Returns the potential energy in J of gravity and springs.
+            ///
+            /// That of gravity is zero if all centres of mass are at the inertial origin.
             #[inline]
             #visibility fn potential_energy(&self) -> T {
                 self.potential_energy
@@ -199,8 +200,9 @@ fn closure(cx: &EmitContext) -> ClosureItems {
         zero: quote!(closure: ::core::default::Default::default(),),
         shown: quote!(.field("closure", &self.closure)),
         method: quote! {
-            /// Which reactions of the closing hinge, the last one, the motion does not determine:
-            /// wrenches in axes of its inboard frame.
+            /// Returns the redundant directions of the closing hinge, which is the last hinge.
+            ///
+            /// The motion does not determine the reactions along them; their wrenches are in the inboard frame.
             #[inline]
             #visibility fn closure(&self) -> &#mstmm::LoopClosure<T, #held> {
                 &self.closure
@@ -212,7 +214,7 @@ fn closure(cx: &EmitContext) -> ClosureItems {
 fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
-    let doc = format!(" Results at body `{name}`: {}.", body::contents(body));
+    let doc = format!(" Returns the results at body `{name}`: {}.", body::contents(body));
     let (first, _) = indexed_access::points_of(cx, place);
     let (ends, ty) = (ends(cx, place), body::type_of(cx, body));
     let result = body::result(cx, (index, place), &usize_literal(first));
@@ -238,7 +240,7 @@ fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
         _ => vector(cx, range, field),
     };
     let (acceleration, effort) = (of(&cx.rate_accelerations()), of(&format_ident!("efforts")));
-    let doc = format!(" Acceleration, effort, input and output of hinge `{name}`.");
+    let doc = format!(" Returns acceleration, effort, input and output of hinge `{name}`.");
     let (ends, point) = (ends(cx, place), point_type(cx));
     quote! {
         #[doc = #doc]

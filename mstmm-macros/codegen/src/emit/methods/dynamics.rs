@@ -25,16 +25,18 @@ pub(super) fn accelerations(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#visibility fn accelerations_into),
         docs: [
             quote! {
-                /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
+                #[doc(alias("forward dynamics", "aba", "qacc"))]
+                /// Computes the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s²
+                /// (forward dynamics). This is the fastest method.
                 #(#[doc = #near_one])*
             },
             quote! {
                 ///
                 /// # Errors
                 ///
-                /// `Error::Singular` if no inertia is left beyond a
-                /// hinge, `Error::NotFinite` if a number of the state or the
-                /// inputs is not finite. `accelerations` is not touched then.
+                /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+                /// `Error::NotFinite` if the state or the inputs are not finite. `accelerations` is then
+                /// unchanged.
             },
         ],
         arguments: quote!(#given #lent),
@@ -52,7 +54,7 @@ pub(super) fn implicit_accelerations(cx: &EmitContext) -> MethodTemplate {
         name: quote!(fn implicit_accelerations_into),
         docs: [
             quote! {
-                /// The accelerations of a linearly implicit step of Euler's method.
+                /// Computes the accelerations of a step of the linearly implicit Euler method.
             },
             TokenStream::new(),
         ],
@@ -63,9 +65,10 @@ pub(super) fn implicit_accelerations(cx: &EmitContext) -> MethodTemplate {
 
 /// Returns the methods that return by value the vector that their `_into` forms write.
 pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
-    let accelerations = by_value_of(cx, "accelerations", "The accelerations `v̇` of all hinges");
+    let accelerations =
+        by_value_of(cx, "accelerations", "Returns the accelerations `v̇` of all hinges");
     let bias = cx.compiled.find(Answer::BiasEfforts);
-    let bias = bias.map(|_| by_value_of(cx, "bias_efforts", "The bias efforts"));
+    let bias = bias.map(|_| by_value_of(cx, "bias_efforts", "Returns the bias efforts"));
     std::iter::once(accelerations).chain(bias).collect()
 }
 
@@ -74,8 +77,8 @@ fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
     let visibility = &cx.passthrough.visibility;
     let (given, count) = (of_state_and_inputs(cx), usize_literal(cx.rates().total));
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
-    let doc = format!(" {what} by value; see [`{name}_into`](Self::{name}_into).");
-    let as_lent = format!(" As [`{name}_into`](Self::{name}_into).");
+    let doc = format!(" {what}; see [`{name}_into`](Self::{name}_into).");
+    let as_lent = format!(" Those of [`{name}_into`](Self::{name}_into).");
     let (name, into) = (format_ident!("{name}"), format_ident!("{name}_into"));
     quote! {
         #[doc = #doc]
@@ -99,7 +102,7 @@ fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
 
 pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
     let (workspace, visibility) = (&cx.names.workspace, &cx.passthrough.visibility);
-    let doc = format!(" Writes into `at`: {}.", docs::results(cx));
+    let doc = format!(" Computes into `at`: {}.", docs::results(cx));
     let (given, errors) = (of_state_and_inputs(cx), quaternions::error(cx));
     MethodTemplate {
         name: quote!(#visibility fn solve_into),
@@ -109,8 +112,8 @@ pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
                 ///
                 /// # Errors
                 ///
-                /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
-                /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
+                /// Those of [`accelerations_into`](Self::accelerations_into). `at` is then an empty workspace, without
+                /// the results of earlier calls.
                 #(#[doc = #errors])*
             },
         ],
@@ -149,8 +152,9 @@ pub(super) fn energy(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#[must_use] #visibility fn #name),
         docs: [
             quote! {
-                /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
-                /// of mass at the inertial origin.
+                /// Returns kinetic and potential energy in J.
+                ///
+                /// The potential energy of gravity is zero if all centres of mass are at the inertial origin.
             },
             TokenStream::new(),
         ],
@@ -172,21 +176,22 @@ pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
     let opened = (!cx.layout.loop_hinges.is_empty()).then(|| {
         quote! {
             ///
-            /// The chain is the tree of its hinges: the closing hinge is open, and the effort of each
-            /// of its rates is what its own springs, dampers, friction, stops and rotors need.
+            /// The closing hinge is open: the bias efforts are those of the open chain. The effort of each rate
+            /// of the closing hinge balances only its own springs, dampers, friction, stops and rotors.
         }
     });
     MethodTemplate {
         name: quote!(#visibility fn bias_efforts_into),
         docs: [
             quote! {
-                /// The bias efforts: what the drives of all rates must supply so that no rate changes
-                /// (inverse dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
+                #[doc(alias("inverse dynamics", "rnea", "nle", "nonLinearEffects", "qfrc_bias"))]
+                /// Computes the bias efforts: the efforts of all rates at which no rate changes (inverse
+                /// dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
                 ///
-                /// They hold against gravity, Coriolis and centrifugal terms, springs, dampers, friction,
-                /// stops, loads, moving ends and prescribed motions. What motors supply is no part of
-                /// them: with the mass matrix `M`, rotors included, `M v̇ + bias = τ`, where `τ` are the
-                /// efforts of the motors, inputs and constants alike.
+                /// They balance gravity, Coriolis and centrifugal terms, springs, dampers, friction, stops,
+                /// loads, moving ends and prescribed motions. The efforts of motors are not part of them:
+                /// `M v̇ + bias = τ`, with the mass matrix `M`, rotors included, and the efforts `τ` of all
+                /// motors, inputs and constants.
                 #(#[doc = #near_one])*
                 #opened
             },
@@ -194,8 +199,7 @@ pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
                 ///
                 /// # Errors
                 ///
-                /// `Error::NotFinite` if a number of the state or the inputs is not finite.
-                /// `efforts` is not touched then.
+                /// `Error::NotFinite` if the state or the inputs are not finite. `efforts` is then unchanged.
             },
         ],
         arguments: quote!(#given #lent),

@@ -16,7 +16,7 @@ pub(super) fn coordinate_rates(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#[inline] fn coordinate_rates_into_),
         docs: [
             quote! {
-                /// The time derivatives of the coordinates.
+                /// Computes the time derivatives of the coordinates.
             },
             TokenStream::new(),
         ],
@@ -34,7 +34,7 @@ pub(super) fn normalized(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#[inline] fn normalized_),
         docs: [
             quote! {
-                /// The coordinates with quaternions of unit length.
+                /// Returns the coordinates with normalised quaternions.
             },
             TokenStream::new(),
         ],
@@ -52,9 +52,9 @@ pub(super) fn correction(cx: &EmitContext) -> MethodTemplate {
         name: quote!(fn correct),
         docs: [
             quote! {
-                /// Corrects coordinates and rates once by the motion of least kinetic energy that
-                /// closes the chain, and returns how far it was from closed and how much
-                /// redundant directions of the closing hinge held.
+                /// Corrects coordinates and rates once, by the motion of least kinetic energy that satisfies the
+                /// linearised loop constraints, and returns the residual: the distance from a closed chain and
+                /// the largest pivot of the redundant directions.
             },
             TokenStream::new(),
         ],
@@ -76,7 +76,7 @@ pub(super) fn closure_pivots(cx: &EmitContext) -> MethodTemplate {
         name: quote!(fn closure_pivots_),
         docs: [
             quote! {
-                /// How well each direction of the closing hinge is determined, the largest pivot first.
+                /// Returns the pivots of the directions of the closing hinge, the largest first.
             },
             TokenStream::new(),
         ],
@@ -95,7 +95,7 @@ pub(super) fn start(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#[must_use] #visibility fn initial_state),
         docs: [
             quote! {
-                /// The state that the description starts from, at time zero.
+                /// Returns the state at the start of the description, at time zero.
             },
             TokenStream::new(),
         ],
