@@ -1,10 +1,10 @@
-//! Types of errors: the controller's own, the chain's in it, and boxes.
+//! Types of errors: those of the controller, those of the chain inside them, and boxed errors.
 
 use super::models::*;
 use mstmm::Error;
 use mstmm::prelude::*;
 
-/// Errors of the chain come as the controller's type.
+/// Errors of the chain are converted to the controller's type.
 fn errors_of_the_chain_are_converted<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     let mut integrator = I::make();
@@ -23,7 +23,7 @@ fn errors_of_the_chain_arrive_in_the_controllers_type() {
     on_everything!(errors_of_the_chain_are_converted);
 }
 
-/// A controller of the usual kind: it reads, which may fail, and answers.
+/// A typical controller: it reads a sensor, which may fail, and returns a torque.
 fn read(angle: f64) -> Result<f64, std::num::ParseFloatError> {
     if angle < 100.0 { "0.5".parse() } else { "broken".parse() }
 }
@@ -52,7 +52,7 @@ fn question_marks_work_in_closures_and_around_steps() {
     assert!(error.is::<std::num::ParseFloatError>() || error.is::<Error>(), "{error}");
 }
 
-/// The error of the chain itself will do, too, and is then the same type.
+/// The chain's error type works, too, without a conversion.
 #[test]
 fn the_chains_own_error_can_be_returned() {
     let chain = Loop::<f64>::new();
@@ -63,7 +63,7 @@ fn the_chains_own_error_can_be_returned() {
     assert_eq!((result, state), (Err(refused), before));
 }
 
-/// `project` itself hands the error on, and leaves the state.
+/// `project` returns the error and leaves the state unchanged.
 #[test]
 fn closing_asks_inputs_that_may_fail() {
     let chain = Loop::<f64>::new();

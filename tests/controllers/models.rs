@@ -33,7 +33,7 @@ macro_rules! chains {
             }
         }
         mstmm_chain! {
-            /// A closed chain, which asks once more at the end of a step.
+            /// A closed chain, which needs inputs once more at the end of a step.
             pub plane chain $loop {
                 method = $method;
                 gravity = [0, -9.8] m/s^2;
@@ -67,10 +67,10 @@ macro_rules! chains {
 chains! { riccati: Arm Repeated Loop Moved }
 chains! { transfer: ArmByTransfer RepeatedByTransfer LoopByTransfer MovedByTransfer }
 
-/// What a controller reports, or the chain.
+/// An error of the controller or of the chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// The controller failed when it was asked for the so manyth time.
+    /// The controller failed in the call with this number.
     Sensor(usize),
     Chain(Error),
 }
@@ -81,7 +81,7 @@ impl From<Error> for Fault {
     }
 }
 
-/// A number that the tests run in.
+/// A scalar of the tests.
 pub trait Number: Scalar<Real = Self, Mask = bool> + PartialOrd {}
 
 impl Number for f32 {}
@@ -135,7 +135,7 @@ driven! {
 
 /// All integrators.
 pub trait Integrator<C: Chain>: Clone {
-    /// One whose steps are near 1/128 s.
+    /// Returns the integrator with steps of about 1/128 s.
     fn make() -> Self;
 
     fn try_step<E: From<Error>>(
@@ -169,7 +169,7 @@ pub trait Integrator<C: Chain>: Clone {
         inputs: impl FnMut(C::Scalar, &C::State) -> C::Inputs,
     ) -> Result<(), Error>;
 
-    /// All that can be seen of it: the size of the next step, states within the last one.
+    /// The observable properties of the integrator: the size of the next step, states within the last step.
     fn seen(&self, chain: &C) -> Vec<String>;
 }
 

@@ -1,10 +1,10 @@
-//! What is left of a step that a controller ended, on every chain by every integrator.
+//! The effects of a step in which the controller fails, for every chain and every integrator.
 
 use super::models::*;
 use mstmm::Scalar;
 use mstmm::prelude::*;
 
-/// A controller that fails when asked for the so manyth time.
+/// A controller that fails in the call with a given number.
 fn failing<'a, C: Driven>(
     chain: &'a C,
     asked: &'a mut usize,
@@ -16,8 +16,8 @@ fn failing<'a, C: Driven>(
     }
 }
 
-/// Whichever time it is asked within a step, the step leaves nothing behind: what follows is the
-/// motion of a controller that never failed, to the bit.
+/// Whichever call within a step fails, the step changes nothing: the following motion has the same bits as with
+/// a controller that never fails.
 fn a_failed_step_leaves_nothing<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     let (mut integrator, mut state) = (I::make(), chain.start());
@@ -51,7 +51,7 @@ fn failed_steps_leave_nothing() {
     on_everything!(a_failed_step_leaves_nothing);
 }
 
-/// `try_advance_to` keeps all complete steps, and goes on from there as if nothing had happened.
+/// `try_advance_to` keeps all complete steps, and the motion continues from there unchanged.
 fn complete_steps_are_kept<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     // Rounding of this time is what the clock keeps.
@@ -82,7 +82,7 @@ fn complete_steps_are_kept_after_a_failure() {
     on_everything!(complete_steps_are_kept);
 }
 
-/// Inputs in a `Result` move the chain as those without do, to the bit.
+/// Inputs with and without a `Result` give the same bits.
 fn inputs_in_a_result_are_the_same<C: Driven, I: Integrator<C>>() {
     let chain = C::default();
     let (mut one, mut other) = (I::make(), I::make());

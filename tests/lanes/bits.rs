@@ -1,4 +1,4 @@
-//! Every lane has exactly the bits that it has alone.
+//! Every lane has exactly the same bits as the chain alone.
 
 use mstmm::lanes::{NativeF32, NativeF64};
 use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
@@ -17,7 +17,7 @@ const SEEDS: u64 = 5;
 const STEPS: usize = 5;
 const STEP: f64 = 1.0 / 512.0;
 
-/// What a case computes: what it is, and its numbers, those of all lanes side by side.
+/// A result of a case: its name and its numbers, with all lanes.
 type Results = Vec<(&'static str, Vec<f64>)>;
 
 /// Everything that is computed in one state.
@@ -39,7 +39,7 @@ fn evaluations<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<Results, Erro
     ])
 }
 
-/// Where steps lead to, whole ones and some up to a time.
+/// The results of whole steps, and of steps up to a time.
 fn steps<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<Results, Error> {
     let Case { chain, state: start, inputs, step } = case;
     let end = Scalar::constant(STEP * (STEPS as f64 + 0.3));
@@ -67,7 +67,7 @@ fn steps<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<Results, Error> {
     Ok(results)
 }
 
-/// Compares all lanes with as many chains alone.
+/// Compares each lane with the chain alone.
 fn check<W, C>(name: &str)
 where
     W: Sample<Scalar: Lanes>,
@@ -92,7 +92,7 @@ where
     }
 }
 
-/// Unoptimised code keeps every number of a function on the stack, sixteen lanes wide.
+/// The stack size: unoptimised code keeps every value of a function on the stack, in sixteen lanes.
 const STACK: usize = 64 << 20;
 
 fn with_room(test: fn()) {

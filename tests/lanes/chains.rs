@@ -5,7 +5,7 @@ use mstmm::{FloatingState, HingeMotion, PinState, Scalar, mstmm_chain};
 
 use super::sample::{Draw, Sample};
 
-/// Makes generated chains samples: what sets their parameters, and what sets their inputs.
+/// Implements samples for generated chains: setters of their parameters and inputs.
 macro_rules! sample {
     ($($name:ident)*: |$chain:ident, $inputs:ident, $draw:ident| $vary:block $set:block) => { $(
         impl<T: Scalar> Sample for $name<T> {
@@ -73,7 +73,7 @@ mstmm_chain! {
         hinge c { friction = 2 N*m; friction_speed = 0.1 rad/s; armature = 0.1 kg*m^2; }
     }
 
-    /// Shifts and turns with springs, stops and friction.
+    /// Translations and rotations with springs, limits and friction.
     pub chain Slides {
         gravity = input;
         param payload = 1 kg;
@@ -138,7 +138,7 @@ mstmm_chain! {
         hinge d { start = 100 deg; stiffness = 3; damping = 0.2; }
     }
 
-    /// A loop in space that its last pin holds three times too often.
+    /// A loop in space with three redundant constraints at its last pin.
     pub chain Parallelogram {
         gravity = [0, -9.81, 0] m/s^2;
         param load = 0 kg;
@@ -158,7 +158,7 @@ mstmm_chain! {
         hinge d { start = 120 deg; }
     }
 
-    /// Loops in the code, with a parameter and an input for every time.
+    /// Repeated parts, with a parameter and an input for every repetition.
     pub chain Repeated {
         gravity = [0, -9.8, 0] m/s^2;
         param knot[6] = 0.1 kg;
@@ -198,7 +198,7 @@ mstmm_chain! {
         hinge b { stiffness = 10; damping = 0.3; }
     }
 
-    /// A rod that may be so thin that nothing resists a turn about it.
+    /// A rod that may be so thin that it has no inertia about its axis.
     pub chain Thin {
         gravity = [0, -9.8, 0] m/s^2;
         param thickness = 0.01 kg*m^2;

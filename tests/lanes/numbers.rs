@@ -76,20 +76,20 @@ where
     packed
 }
 
-/// The numbers of anything generated, in order, as it prints itself: to the last bit. What has lanes
-/// prints all of a number side by side.
+/// Returns the numbers of any generated value in order, exact to the last bit, from its debug output. A value
+/// in lanes prints all lanes of a number together.
 pub fn numbers(of: &dyn Debug) -> Vec<f64> {
     let text = format!("{of:?}");
     let is_word = |c: char| c.is_alphanumeric() || "_-+.:".contains(c);
     text.split(|c: char| !is_word(c)).filter_map(|word| word.parse().ok()).collect()
 }
 
-/// Those of one lane of so many.
+/// Returns the numbers of one lane.
 pub fn of_lane(numbers: &[f64], lane: usize, lanes: usize) -> Vec<f64> {
     numbers.iter().skip(lane).step_by(lanes).copied().collect()
 }
 
-/// Whether all bits are the same; a NaN is as good as another.
+/// Returns whether all bits are equal; all NaNs are equal.
 pub fn same_bits(a: &[f64], b: &[f64]) -> bool {
     let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
     a.len() == b.len() && a.iter().zip(b).all(same)

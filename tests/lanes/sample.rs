@@ -6,7 +6,7 @@ use std::fmt::Debug;
 
 use super::numbers::{Lanes, pack};
 
-/// How far coordinates go from the start, in rad and m, and the largest rate.
+/// The largest distance of coordinates from the start, in rad and m, and the largest rate.
 const FAR: f64 = 0.4;
 const FAST: f64 = 2.0;
 
@@ -20,7 +20,7 @@ pub trait Sample:
     /// Sets parameters.
     fn vary(&mut self, draw: Draw<Self::Scalar>);
 
-    /// What acts from outside.
+    /// Returns the inputs.
     fn inputs(&self, draw: Draw<Self::Scalar>) -> Self::Inputs;
 }
 
@@ -32,7 +32,7 @@ pub struct Case<C: Chain> {
     pub step: C::Scalar,
 }
 
-/// A case for each of so many lanes, with steps a little longer from lane to lane.
+/// Returns a case for each lane, with slightly longer steps from lane to lane.
 pub fn each<C: Sample>(seed: u64, count: usize, step: f64) -> Vec<Case<C>>
 where
     C::Scalar: Scalar<Real = C::Scalar>,

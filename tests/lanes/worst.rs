@@ -1,4 +1,4 @@
-//! One decision for all lanes: the worst one takes it.
+//! One decision for all lanes: that of the worst lane.
 
 use mstmm::wide::f64x8;
 use mstmm::{ChainState, Dopri5, Error, Rk4, Scalar};
@@ -84,7 +84,7 @@ fn the_worst_lane_chooses_the_step() {
     step_size_control::<Loop<W>, Loop<f64>>("Loop");
 }
 
-/// Lanes that are closed already are corrected on, by rounding.
+/// Lanes that are closed already are still corrected, by rounding errors.
 #[test]
 fn assembling_goes_on_until_all_lanes_are_closed() {
     fn check<C: Sample<Scalar = W>, S: Sample<Scalar = f64>>(name: &str) {
@@ -114,7 +114,7 @@ fn assembling_goes_on_until_all_lanes_are_closed() {
     check::<Parallelogram<W>, Parallelogram<f64>>("Parallelogram");
 }
 
-/// Everything fails with the error, and leaves states as they were and no results.
+/// Every function fails with the error, leaves states unchanged and returns no results.
 fn fails<C: Sample<Scalar = W>>(case: &Case<C>, expected: Error, name: &str) {
     let Case { chain, state, inputs, step } = case;
     let mut rate = C::State::default();

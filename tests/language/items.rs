@@ -1,4 +1,4 @@
-//! What stands around a chain: docs, visibility, other chains, and where the items end up.
+//! The surroundings of a chain: docs, visibility, other chains, and the location of the items.
 
 mod two {
     mstmm::mstmm_chain! {
@@ -13,7 +13,7 @@ mod two {
             }
             /// So can the route,
             ground -> pin axle -> Rod rod;
-            /// and what stands behind it.
+            /// and the blocks after it.
             hinge axle { start = 1; torque = input; }
         }
 
@@ -81,7 +81,7 @@ fn names_are_made_from_types() {
     assert_eq!(at.points().len(), 5);
 }
 
-/// Nothing in the expansion relies on what Rust imports by itself.
+/// The expansion does not need Rust's prelude.
 #[no_implicit_prelude]
 mod bare {
     ::mstmm::mstmm_chain! {
@@ -107,7 +107,7 @@ fn a_module_without_prelude_has_a_chain() {
     assert!(bare.accelerations(&bare.initial_state(), &bare.no_inputs()).is_ok());
 }
 
-/// The user's items may have any name, also one that the expansion speaks of.
+/// The user's items may have any name, also one that the expansion uses.
 #[allow(dead_code, unused_macros)]
 mod crowded {
     mod core {}

@@ -34,7 +34,7 @@ fn pins_turn_about_their_axes() {
     crate::assert_close(turning!(pin([0, -3, 4])), [0.0, -0.6, 0.8]);
 }
 
-/// A positive angle turns the outboard side against the inboard one, right-handed.
+/// A positive angle rotates the outboard side relative to the inboard side, right-handed.
 #[test]
 fn angles_are_right_handed() {
     mstmm_chain! {
@@ -126,7 +126,7 @@ fn a_chain_that_starts_and_ends_with_a_body_floats() {
     crate::assert_close(at.boom().input().force(), [0.0; 3]);
 }
 
-/// The signs of z: what a body at rest needs to stay there comes through its input as +q and −m.
+/// The signs of z: the force +q and the moment −m at its input hold a body at rest.
 #[test]
 fn a_held_body_is_carried_by_its_input() {
     mstmm_chain! {
@@ -174,7 +174,7 @@ fn a_held_body_is_carried_by_its_input() {
     crate::assert_close(at.rod().input().force(), [0.0; 3]);
 }
 
-/// The method changes the way, not the answer.
+/// The method does not change the results.
 #[test]
 fn methods_agree() {
     macro_rules! accelerations {

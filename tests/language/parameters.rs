@@ -110,7 +110,7 @@ mstmm_chain! {
     }
 }
 
-/// Every repeated part keeps what is derived for it, whatever stands between.
+/// Every repeated part keeps its derived values, whatever is between the parts.
 #[test]
 fn each_repeated_part_has_its_parameters() {
     let mut links = Links::<f64>::new();

@@ -96,7 +96,7 @@ fn closed<C: Closed>(chain: &C, random: &mut Random) -> C::State {
     state
 }
 
-/// A change of rates is least if it is at right angles to all motions that the closure leaves.
+/// A change of rates is minimal if it is orthogonal to all motions that the constraint allows.
 fn rates_change_least<C: Closed>(name: &str) {
     let chain = C::default();
     let mut random = Random::new(11);
@@ -136,8 +136,8 @@ fn rates_change_by_the_least_kinetic_energy() {
     rates_change_least::<SpaceByTransfer<f64>>("in space, transfer");
 }
 
-/// The way that coordinates take is at right angles to all motions that the closure leaves, up to its
-/// own length: so its length is the least up to the square.
+/// The change of coordinates is orthogonal to all motions that the constraint allows, up to its length: so it
+/// is minimal up to the square of its length.
 fn coordinates_move_least<C: Closed>(name: &str, far: f64) {
     let chain = C::default();
     let mut random = Random::new(5);

@@ -50,7 +50,7 @@ chains! { transfer: RepeatedByTransfer WrittenByTransfer }
 const COORDINATES: usize = 7 + 3 * (1 + 4) + 2 * (2 + 1) + 1;
 const RATES: usize = 6 + 3 * (1 + 3) + 2 * (2 + 1) + 1;
 
-/// Numbers that tell their own place; quaternions of unit length.
+/// Returns numbers that equal their index; quaternions have unit length.
 fn filled<S: ChainState>(state: &mut S) {
     let number = |k: usize| S::Scalar::constant(0.01 * k as f64);
     let zero_position = state.coordinates().to_vec();
@@ -143,7 +143,7 @@ fn numbers_lie_along_the_route_and_by_repetition() {
 }
 
 mstmm_chain! {
-    /// Held at its end alone: the order is still that of the route.
+    /// A chain held only at its end: the order is still that of the route.
     line chain Hanging {
         body Car { mass = 1 kg; output = 1 m; }
         Car first -> slider a -> Car second -> slider b -> ground;

@@ -9,7 +9,7 @@ use super::goldberg::{Six, SixByTransfer, SixTilted, SixTiltedByTransfer, six, s
 use super::linkage::Linkage;
 use super::states::compare;
 
-/// From 2 rad to 0.07 rad in a geometric sequence, each configuration found from the one before.
+/// From 2 rad to 0.07 rad in a geometric sequence, each configuration found from the previous one.
 fn approached<C: Closed<Scalar = f64>>(chain: &C, mut linkage: Linkage) {
     let mut crank = 2.0;
     while crank > 0.07 {

@@ -1,4 +1,4 @@
-//! Chains with quaternions in every place, and what each must refuse.
+//! Chains with quaternions in every position, and the states that each must reject.
 
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain, Scalar};
@@ -131,7 +131,7 @@ pub fn of_length<T: Scalar>(length: f64) -> [T; 4] {
     DIRECTION.map(|x| T::constant(x * length))
 }
 
-/// Quaternions that are refused.
+/// Quaternions that are rejected.
 pub fn refused<T: Number>() -> Vec<[T; 4]> {
     let zero = T::default();
     let mut all = vec![[zero; 4], [T::TINY; 4], [T::HUGE; 4], [zero, zero, T::HUGE, T::TINY]];

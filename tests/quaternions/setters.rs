@@ -66,7 +66,7 @@ fn components_are_brought_to_unit_length() {
     check_length::<f32>();
 }
 
-/// A quaternion that was only said to be of unit length is found where the state is used.
+/// A wrong unit quaternion made by `new_unchecked` is detected when the state is used.
 #[test]
 fn unchecked_unit_quaternions_are_refused_where_the_state_is_used() {
     let chain = Written::<f64>::new();

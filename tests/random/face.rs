@@ -1,4 +1,4 @@
-//! One face for the printed chains.
+//! A common interface of the printed chains.
 
 use mstmm::{ChainState, ConnectionPoint, Energy, GeneratedChain};
 use mstmm_reference::Drives;

@@ -1,4 +1,4 @@
-//! Prints a chain of the reference together with its face.
+//! Prints a chain of the reference with its interface.
 
 use mstmm_reference::{Chain, Dimension, Drives, End, Gravity, Hinge, HingeKind, Source};
 

@@ -1,5 +1,5 @@
-//! Chains with repeated parts whose accelerations, or poses, are the same in every state: nothing of them needs a
-//! loop.
+//! Chains with repeated parts whose accelerations or poses are the same in every state, so that no loop computes
+//! them.
 
 use mstmm::prelude::*;
 use mstmm::{Error, mstmm_chain};
@@ -19,7 +19,7 @@ mstmm_chain! {
     }
 }
 
-/// A number that no acceleration depends on is tested all the same, in every repetition.
+/// A number on which no acceleration depends is still tested, in every repetition.
 #[test]
 fn what_is_not_finite_is_found_where_nothing_depends_on_it() {
     let carts = Carts::<f64>::new();

@@ -4,7 +4,7 @@ use super::twins::Number;
 use mstmm::{BallState, FloatingState, HingeMotion, PinState, PlanarState};
 use nalgebra::SVector;
 
-/// So many numbers as a vector.
+/// Returns numbers as a vector.
 pub fn vector<T: Number, const N: usize>(x: &[T]) -> SVector<T, N> {
     array(x).into()
 }
@@ -13,7 +13,7 @@ fn array<T: Number, const N: usize>(x: &[T]) -> [T; N] {
     std::array::from_fn(|k| x[k])
 }
 
-/// A quaternion of unit length that turns by less than a right angle.
+/// Returns a unit quaternion of a rotation by less than a right angle.
 fn quaternion<T: Number>(x: &[T]) -> [T; 4] {
     let [a, b, c] = array(x);
     let two = T::constant(2.0);

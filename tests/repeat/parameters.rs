@@ -1,4 +1,4 @@
-//! Parameters of repeated parts: one number for all times, and one for each.
+//! Parameters of repeated parts: one number for all repetitions, and one for each.
 
 use super::twins::Pair;
 use mstmm::{Error, mstmm_chain};
@@ -103,7 +103,7 @@ fn parameters_that_are_set() {
     compare!(KnotsByTransfer);
 }
 
-/// What is refused of one time is refused for all, and everything stays as it was.
+/// A value that is invalid for one repetition is rejected for all, and nothing changes.
 #[test]
 fn parameters_that_are_refused() {
     let mut chain = Knots::<f64>::new();

@@ -95,7 +95,7 @@ fn bennett(angle: f64) -> [f64; 4] {
     [angle, other, -angle, -other]
 }
 
-/// The state at these angles with rates that are put onto the closure.
+/// Returns the state at these angles, with rates projected onto the loop constraint.
 fn state<C: GeneratedChain>(chain: &C, angles: &[f64]) -> C::State {
     let mut state = chain.initial_state();
     for (q, &angle) in state.coordinates_mut().iter_mut().zip(angles) {

@@ -1,8 +1,8 @@
-//! A kit for machines that hands the dynamics on.
+//! A crate that re-exports the dynamics.
 
 #![no_std]
 
-/// The macro alone, under a name of this crate's own.
+/// Only the macro, under another name.
 pub use mstmm::mstmm_chain as machine;
 
 /// All of it.
