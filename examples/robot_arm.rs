@@ -9,7 +9,6 @@ mstmm_chain! {
     chain Arm {
         gravity = [0, 0, -9.81] m/s^2;
         answers = bias_efforts;
-
         body Shoulder {
             mass = 3.7 kg; com = [0, 0.00193, -0.02561] m; inertia = diag(0.01027, 0.01027, 0.00666) kg*m^2 about com;
             output = [0, 0.13585, 0] m turned rpy(0, 90, 0) deg;
@@ -31,7 +30,6 @@ mstmm_chain! {
             output = [0, 0, 0.09465] m;
         }
         body Flange { mass = 0.1879 kg; com = [0, 0.001159, 0] m; inertia = diag(0.085, 0.085, 0.132) g*m^2 about com; }
-
         ground at [0, 0, 0.089159] m
             -> pin(z) pan -> Shoulder -> pin(y) lift -> UpperArm -> pin(y) elbow -> Forearm
             -> pin(y) wrist_1 -> Wrist1 -> pin(z) wrist_2 -> Wrist2 -> pin(y) wrist_3 -> Flange;
@@ -59,7 +57,6 @@ fn main() -> Result<(), mstmm::Error> {
     for _ in 0..8000 {
         rk4.try_step(&arm, &mut state, |_time, state| control(&arm, state))?;
     }
-    println!("angles {:.4?} rad", state.q.as_slice());
     let holding = arm.bias_efforts(&state, &arm.no_inputs())?;
     println!("holding torques {:.3?} N m", holding.as_slice());
     for i in 0..6 {
