@@ -1,13 +1,17 @@
-//! The structure of the compiler: who may know whom, and how long a file may be.
+//! The structure of the compiler: which module may use which, unique type names, and the length of files.
 
 #[path = "architecture/imports.rs"]
 mod imports;
+#[path = "architecture/type_names.rs"]
+mod type_names;
 
 use imports::Imports;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use type_names::type_names;
 
-/// Each folder or file of `src`, and what of ours it may name.
+/// Each folder or file of `src`, and the modules of the compiler that it may use.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("diag.rs", &[]),
     ("ids.rs", &[]),
@@ -39,7 +43,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("lib.rs", &[]),
 ];
 
-/// Words that name foreign crates, and who alone may use them.
+/// The folders and files that may use `syn` and `quote`.
 const MAY_QUOTE: &[&str] = &["emit", "lib.rs", "diag.rs", "compile", "syntax", "model"];
 
 const LONGEST_FILE: usize = 400;
@@ -52,7 +56,7 @@ fn files(path: &Path) -> Vec<PathBuf> {
     if path.is_file() {
         return vec![path.to_owned()];
     }
-    if path.ends_with("tests") {
+    if path.ends_with("tests") || path.ends_with("tests.rs") {
         return Vec::new();
     }
     let entries = fs::read_dir(path).expect("a readable folder");
@@ -62,7 +66,7 @@ fn files(path: &Path) -> Vec<PathBuf> {
     all
 }
 
-/// The modules of ours that a text names behind `crate::`.
+/// Returns the modules that a text names after `crate::`.
 fn named(text: &str) -> Vec<&str> {
     let lines = without_tests(text).lines().filter(|line| !line.trim_start().starts_with("//"));
     lines
@@ -73,7 +77,7 @@ fn named(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn every_part_knows_only_what_stands_before_it() {
+fn every_module_uses_only_earlier_modules() {
     for (part, allowed) in MAY_USE {
         for file in files(&source().join(part)) {
             let text = fs::read_to_string(&file).expect("a readable file");
@@ -91,7 +95,7 @@ fn every_part_knows_only_what_stands_before_it() {
 }
 
 #[test]
-fn the_model_knows_the_syntax_only_where_it_is_lowered_and_checked() {
+fn the_model_uses_the_syntax_only_to_lower_and_check() {
     for file in files(&source().join("model")) {
         let text = fs::read_to_string(&file).expect("a readable file");
         let entry = file.ends_with("model/mod.rs");
@@ -102,7 +106,7 @@ fn the_model_knows_the_syntax_only_where_it_is_lowered_and_checked() {
 }
 
 #[test]
-fn every_part_is_listed() {
+fn every_module_is_listed() {
     for entry in fs::read_dir(source()).expect("a readable folder") {
         let name = entry.expect("an entry").file_name();
         let name = name.to_string_lossy();
@@ -111,7 +115,7 @@ fn every_part_is_listed() {
 }
 
 #[test]
-fn tokens_are_known_to_both_ends_of_the_pipeline_only() {
+fn only_both_ends_of_the_pipeline_use_tokens() {
     for file in files(&source()) {
         let text = fs::read_to_string(&file).expect("a readable file");
         let part = file.strip_prefix(source()).expect("a part of the source");
@@ -124,7 +128,7 @@ fn tokens_are_known_to_both_ends_of_the_pipeline_only() {
 }
 
 #[test]
-fn no_modules_of_a_folder_know_each_other_in_circles() {
+fn no_modules_of_a_folder_import_each_other_in_cycles() {
     let runtime = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../mstmm-runtime/src");
     for source in [source(), runtime] {
         let texts = files(&source).into_iter().map(|file| {
@@ -139,7 +143,38 @@ fn no_modules_of_a_folder_know_each_other_in_circles() {
 }
 
 #[test]
-fn circles_are_seen() {
+fn no_type_name_is_defined_twice() {
+    let mut definitions: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let is_rust = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "rs");
+    for file in files(&source()).into_iter().filter(is_rust) {
+        let text = fs::read_to_string(&file).expect("a readable file");
+        let file = file.strip_prefix(source()).expect("a part of the source").display().to_string();
+        for name in type_names(&text) {
+            definitions.entry(name).or_default().push(file.clone());
+        }
+    }
+    definitions.retain(|_, files| files.len() > 1);
+    assert_eq!(definitions, BTreeMap::new(), "rename the less standard of each");
+}
+
+#[test]
+fn type_names_are_found_in_all_modules_except_tests() {
+    let text = "
+        pub struct Body<T>(T);
+        declare_id! { /// A body.
+            BodyId, LinkId }
+        mod inner { pub(crate) enum Kind { Pin } type Pair = (u8, u8); }
+        trait Shape { type Area; }
+        impl Shape for () { type Area = f64; }
+        fn f() { union Bits { a: u32, b: f32 } quote!(struct Generated;); }
+        #[cfg(test)]
+        mod tests { struct Fixture; }
+    ";
+    assert_eq!(type_names(text), ["Body", "BodyId", "LinkId", "Kind", "Pair", "Shape", "Bits"]);
+}
+
+#[test]
+fn import_cycles_are_found() {
     let circles = |files: &[(&str, &str)]| Imports::of(files.iter().copied()).circles();
     let emit = [
         ("emit/procedure.rs", "use super::{Plan, checks, loads::{self, once}}; struct Printer;"),
@@ -168,7 +203,7 @@ fn circles_are_seen() {
     assert_eq!(circles(&folders[..5]), [""; 0]);
 }
 
-/// A text without the tests at its end and without the name of a file of tests.
+/// Returns a text without the tests at its end. `#[cfg(test)] mod tests;` does not end the text.
 fn without_tests(text: &str) -> &str {
     let begins_tests =
         |at: &usize| text[*at..].lines().nth(1).is_some_and(|line| line.ends_with('{'));
@@ -176,19 +211,19 @@ fn without_tests(text: &str) -> &str {
     &text[..all.into_iter().find(begins_tests).unwrap_or(text.len())]
 }
 
-/// A text's code without its tests, its comments and its line breaks.
+/// Returns a text's code without tests, comments and line breaks.
 fn code(text: &str) -> String {
     let lines =
         without_tests(text).lines().map(|line| line.split("//").next().unwrap_or(line).trim());
     lines.collect::<Vec<_>>().join(" ")
 }
 
-/// Whether `text` has `word` as a word of its own.
+/// Returns whether `text` contains `word` as a whole word.
 fn has_word(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|found| found == word)
 }
 
-/// What a text's `for` loops go over, and what its expressions take backwards.
+/// Returns the iterated expressions of `for` loops, and the statements with `.rev()`.
 fn loops(code: &str) -> Vec<&str> {
     let headers = code.split(" for ").skip(1).filter_map(|rest| {
         let (header, _) = rest.split_once('{')?;
@@ -210,7 +245,7 @@ fn only_the_sweeps_loop_over_links() {
 }
 
 #[test]
-fn the_equations_tell_kinds_of_hinges_apart_in_one_place() {
+fn the_equations_match_on_hinge_kinds_in_one_place() {
     let kinds = source().join("equations/hinge/kinds.rs");
     for file in files(&source().join("equations")).into_iter().filter(|file| *file != kinds) {
         let text = fs::read_to_string(&file).expect("a readable file");
@@ -221,7 +256,7 @@ fn the_equations_tell_kinds_of_hinges_apart_in_one_place() {
 }
 
 #[test]
-fn sweeps_by_hand_are_seen() {
+fn hand_written_sweeps_are_found() {
     let sweeps = [
         "for (index, link) in situation.layout.links.iter().enumerate() {}",
         "for (index, link) in\n    links // all\n        .enumerate()\n{}",

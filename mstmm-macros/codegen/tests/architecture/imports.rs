@@ -1,18 +1,18 @@
-//! Which modules name which: by paths that begin with `super`, `self` or `crate`.
+//! The imports between modules: paths that start with `super`, `self` or `crate`.
 //!
-//! A folder stands for all files in it, where its neighbours are concerned. Its own `mod.rs` may name
-//! everything in it, and a name that it hands on counts for the file that has it.
+//! Towards its neighbours a folder counts as one module. Its own `mod.rs` may name everything in it, and a name that it
+//! re-exports counts for the file that defines it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names on the way to a module.
+/// The path of a module.
 type Module = Vec<String>;
 
 /// The code of all modules, without tests and comments.
 pub struct Imports(BTreeMap<Module, String>);
 
 impl Imports {
-    /// By files, as they are called behind `src/`.
+    /// Reads files, each with its path below `src/` and its code.
     pub fn of<'a>(files: impl IntoIterator<Item = (&'a str, &'a str)>) -> Self {
         let module = |file: &str| {
             let names = file.trim_end_matches(".rs").split('/').map(str::to_owned);
@@ -21,7 +21,7 @@ impl Imports {
         Imports(files.into_iter().map(|(file, code)| (module(file), code.to_owned())).collect())
     }
 
-    /// The modules of each folder that name themselves by way of others.
+    /// Returns the modules of each folder that import themselves through others.
     pub fn circles(&self) -> Vec<String> {
         let folders = self.0.keys().filter_map(|module| Some(module.split_last()?.1));
         let folders: BTreeSet<&[String]> = folders.collect();
@@ -49,7 +49,7 @@ impl Imports {
         circles.into_iter().map(|circle| format!("{path}/{{{circle}}}")).collect()
     }
 
-    /// The module that a path in `from` leads to.
+    /// Returns the module that a path in `from` leads to.
     fn found(&self, from: &[String], path: &[&str]) -> Module {
         let mut at = from.to_vec();
         for &name in path {
@@ -71,7 +71,7 @@ impl Imports {
         self.0.contains_key(&inside).then_some(inside)
     }
 
-    /// The module inside of `module` that has a name which `module` hands on.
+    /// Returns the module inside `module` that defines a name which `module` re-exports.
     fn handed_on(&self, module: &[String], name: &str) -> Option<Module> {
         let words = words(self.0.get(module)?);
         let mut paths = Vec::new();
@@ -85,7 +85,7 @@ impl Imports {
     }
 }
 
-/// All that is named by way of others, and by way of those.
+/// Returns all modules that are imported directly or through others.
 fn reached(from: &str, known: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
     let mut all = BTreeSet::new();
     let mut left = vec![from];
@@ -96,7 +96,7 @@ fn reached(from: &str, known: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<S
     all
 }
 
-/// The paths in some code that begin within the crate.
+/// Returns the paths in some code that start within the crate.
 fn named(code: &str) -> Vec<Vec<&str>> {
     let words = words(code);
     let mut paths = Vec::new();
@@ -111,7 +111,7 @@ fn named(code: &str) -> Vec<Vec<&str>> {
     paths
 }
 
-/// Reads a path, or all paths in its braces; returns where the last word is.
+/// Reads a path, or all paths in its braces; returns the index of the last word.
 fn paths_from<'a>(
     words: &[&'a str],
     mut at: usize,
@@ -143,7 +143,7 @@ fn is_name(word: &str) -> bool {
     word.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
-/// Names, `::` and single signs.
+/// Splits code into names, `::` and single characters.
 fn words(code: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = code.trim_start();
