@@ -36,13 +36,14 @@ pub fn chain_text(
     });
     let functions = std::iter::once(&compiled.setup).chain(&compiled.functions);
     let all: Vec<(&CompiledFunction, _)> = functions.zip(&written).collect();
-    let wanted = all.iter().filter(|(one, _)| function.is_none_or(|name| name == one.name()));
-    let texts = wanted.map(|(one, (program, labels))| {
-        text(one.name(), program, labels) + "\n" + &table(&one.procedure, program)
+    let wanted =
+        all.iter().filter(|(compiled, _)| function.is_none_or(|name| name == compiled.name()));
+    let texts = wanted.map(|(compiled, (program, labels))| {
+        text(compiled.name(), program, labels) + "\n" + &table(&compiled.procedure, program)
     });
     let texts: Vec<String> = texts.collect();
     if texts.is_empty() {
-        return Err(all.iter().map(|(one, _)| one.name()).collect());
+        return Err(all.iter().map(|(compiled, _)| compiled.name()).collect());
     }
     Ok(texts.join("\n"))
 }
@@ -67,7 +68,8 @@ fn written(chain: &Chain, function: Function, setup: &mut SetupSlots) -> (Progra
 fn table(procedure: &Procedure, readable: &Program) -> String {
     let order: Vec<(&str, &str)> = readable.sections().map(Section::heading).collect();
     let mut sections = by_heading(procedure.sections());
-    sections.sort_by_key(|one| order.iter().position(|other| *other == (one.title, one.source)));
+    sections
+        .sort_by_key(|cost| order.iter().position(|heading| *heading == (cost.title, cost.source)));
     let row = |SectionCost { title, cost, .. }: &SectionCost| {
         let [mul, add, recip] = [cost.mul, cost.add, cost.recip];
         let [sqrt, trig] = [cost.sqrt, cost.trig];

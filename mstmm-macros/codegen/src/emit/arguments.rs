@@ -11,7 +11,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// Prints a load outside of loops.
-pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> TokenStream {
+pub fn load(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> TokenStream {
     let cx = printer.cx;
     let array = printer.array(from);
     let ArrayRole::Argument(argument) = array.role else {
@@ -57,7 +57,7 @@ pub fn once(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
 }
 
 /// Prints a load in a loop: the iterator of the loop input, and statements that destructure an item.
-pub fn repeated(
+pub fn loop_input(
     printer: &Printer,
     (argument, from): (Argument, &ArraySlice),
     into: &[Option<ValueId>],

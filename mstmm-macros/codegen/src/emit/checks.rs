@@ -11,7 +11,7 @@ use quote::quote;
 
 /// Prints the test that arguments are finite. It comes first: after other statements it would be a branch across which the
 /// compiler moves some statements and not others.
-pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
+pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
     let cx = printer.cx;
     let mstmm = &cx.mstmm;
     let (mut taken, mut slices) = (TokenStream::new(), Vec::new());
@@ -40,11 +40,11 @@ pub fn given(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
         taken.extend(quote!(#mstmm::generated::check_finite::<T>(&[#(#slices),*])?;));
     }
     taken.extend(vectors);
-    failing(printer.on_failure.as_ref(), taken)
+    with_reset(printer.on_failure.as_ref(), taken)
 }
 
 /// Returns statements that may fail, so that the results are reset after a failure if `reset` is given.
-pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStream {
+pub fn with_reset(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStream {
     let Some(reset) = reset.filter(|_| !statements.is_empty()) else { return statements };
     quote! {
         let checked_ = (|| {
@@ -59,11 +59,11 @@ pub fn failing(reset: Option<&TokenStream>, statements: TokenStream) -> TokenStr
 }
 
 /// Prints the check of the results.
-pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
+pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
     let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
     let mut repeated = TokenStream::new();
-    for PivotTest { hinge, pivot } in &finish.pivots {
+    for PivotTest { hinge, pivot } in &check.pivots {
         match pivot {
             PivotValue::Once(value, scale) => {
                 names.push(hinge);
@@ -77,7 +77,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
         }
     }
     let (mut numbers, mut arrays) = (Vec::new(), TokenStream::new());
-    for witness in &finish.finite {
+    for witness in &check.finite {
         match witness {
             Witness::Value(value) => numbers.push(printer.operand(value)),
             Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
@@ -101,7 +101,7 @@ pub fn finish(printer: &Printer, finish: &ResultCheck) -> TokenStream {
         },
     };
     let reset = printer.on_failure.as_ref();
-    let (repeated, arrays) = (failing(reset, repeated), failing(reset, arrays));
+    let (repeated, arrays) = (with_reset(reset, repeated), with_reset(reset, arrays));
     quote! {
         #repeated
         if !#mstmm::generated::pivots_ok::<T, _, _>(#values, #scales, [#(#numbers),*]) {

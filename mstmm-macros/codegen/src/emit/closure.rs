@@ -24,7 +24,7 @@ pub fn steps(cx: &EmitContext) -> Ident {
 }
 
 /// Returns the expression `chain`, or the chain with its rank found again if frames, axes or the start may have changed.
-pub fn found(cx: &EmitContext, may_have_changed: bool, chain: TokenStream) -> TokenStream {
+pub fn with_rank(cx: &EmitContext, may_have_changed: bool, chain: TokenStream) -> TokenStream {
     if may_have_changed && directions(cx).is_some() { quote!(#chain.find_rank_()) } else { chain }
 }
 

@@ -67,10 +67,10 @@ fn constructors(cx: &EmitContext) -> TokenStream {
     let (parameters, visibility) = (&cx.names.parameters, &cx.passthrough.visibility);
     let values = cx.chain.parameters.iter().map(|parameter| {
         let (name, value) = (&parameter.name, value_tokens(cx, &parameter.default));
-        let one = quote!(T::constant(#value));
+        let constant = quote!(T::constant(#value));
         match parameter.repetitions.map(usize_literal) {
-            None => quote!(#name: #one),
-            Some(times) => quote!(#name: [#one; #times]),
+            None => quote!(#name: #constant),
+            Some(times) => quote!(#name: [#constant; #times]),
         }
     });
     let steps = closure::directions(cx).map(|count| {
@@ -79,7 +79,7 @@ fn constructors(cx: &EmitContext) -> TokenStream {
     });
     let is_empty = cx.chain.parameters.is_empty() && steps.is_none();
     let marker = is_empty.then(|| quote!(none: ::core::marker::PhantomData));
-    let chain = closure::found(cx, true, quote!(chain_));
+    let chain = closure::with_rank(cx, true, quote!(chain_));
     let doc = if cx.chain.parameters.is_empty() {
         " Makes the chain of the description."
     } else {

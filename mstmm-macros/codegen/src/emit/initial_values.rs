@@ -8,8 +8,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Returns the initial array of a result: zeros, and the values that are the same in every state.
-pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
-    let array = array(cx, id);
+pub fn array(cx: &EmitContext, id: OutputId) -> TokenStream {
+    let array = result(cx, id);
     let count = usize_literal(array.layout.total);
     let zeros = quote!([T::constant(0.0); #count]);
     let known = array.initial.iter().filter(|(_, value)| *value != 0.0).map(|&(entry, value)| {
@@ -26,8 +26,8 @@ pub fn at_first(cx: &EmitContext, id: OutputId) -> TokenStream {
 }
 
 /// Returns the initial value of an entry of a result.
-pub fn number_at_first(cx: &EmitContext, id: OutputId, entry: usize) -> TokenStream {
-    let known = array(cx, id).initial.iter().find(|(other, _)| *other == entry);
+pub fn entry(cx: &EmitContext, id: OutputId, entry: usize) -> TokenStream {
+    let known = result(cx, id).initial.iter().find(|(other, _)| *other == entry);
     constant(known.map_or(0.0, |(_, value)| *value))
 }
 
@@ -41,11 +41,11 @@ fn constant(value: f64) -> TokenStream {
 }
 
 /// Returns the length of a result, if the solution has it.
-pub fn count(cx: &EmitContext, id: OutputId) -> Option<usize> {
+pub fn length(cx: &EmitContext, id: OutputId) -> Option<usize> {
     find(cx, id).map(|array| array.layout.total)
 }
 
-fn array<'a>(cx: &'a EmitContext, id: OutputId) -> &'a Array {
+fn result<'a>(cx: &'a EmitContext, id: OutputId) -> &'a Array {
     find(cx, id).unwrap_or_else(|| bug!("a solution has no `{}`", id.name))
 }
 

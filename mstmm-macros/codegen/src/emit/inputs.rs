@@ -16,14 +16,14 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         format!(" The inputs of [`{chain}`]: what acts on it from outside, given at every step.");
     let inputs = &cx.layout.inputs;
     let fields = inputs.iter().map(|input| {
-        let (name, doc, one) =
+        let (name, doc, single) =
             (cx.chain.name_of_input(input.what), doc_of(cx, input), type_of(cx, input));
-        let ty = times(cx, input).map_or(one.clone(), |times| quote!([#one; #times]));
+        let ty = repetitions(cx, input).map_or(single.clone(), |count| quote!([#single; #count]));
         quote!(#[doc = #doc] #visibility #name: #ty)
     });
     let zeros = inputs.iter().map(|input| {
-        let (name, one) = (cx.chain.name_of_input(input.what), zero_of(cx, input));
-        let zero = times(cx, input).map_or(one.clone(), |times| quote!([#one; #times]));
+        let (name, single) = (cx.chain.name_of_input(input.what), zero_of(cx, input));
+        let zero = repetitions(cx, input).map_or(single.clone(), |count| quote!([#single; #count]));
         quote!(#name: #zero)
     });
     // A struct without fields would not use `T`.
@@ -59,7 +59,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the number of repetitions of an input to a repeated part.
-fn times(cx: &EmitContext, input: &Input) -> Option<Literal> {
+fn repetitions(cx: &EmitContext, input: &Input) -> Option<Literal> {
     let repeat = cx.chain.repeat_of_input(input.what)?;
     Some(usize_literal(cx.chain.repeats[repeat].count))
 }
@@ -178,14 +178,14 @@ impl EmitContext<'_> {
 /// Returns statements that destructure a scalar or a vector.
 fn take(variables: &[Ident], from: TokenStream) -> TokenStream {
     match variables {
-        [one] => quote!(let #one = #from;),
+        [single] => quote!(let #single = #from;),
         _ => quote!(let [[#(#variables),*]] = #from.data.0;),
     }
 }
 
 fn tuple_or_one(variables: &[Ident]) -> TokenStream {
     match variables {
-        [one] => quote!(#one),
+        [single] => quote!(#single),
         _ => quote!([#(#variables),*]),
     }
 }

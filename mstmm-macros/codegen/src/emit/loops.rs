@@ -12,7 +12,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// Declares the flags of the pivot tests and the arrays of values that loops store for later loops.
-pub fn opened(printer: &Printer) -> TokenStream {
+pub fn declarations(printer: &Printer) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
     let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
     let locals = printer.procedure.arrays.enumerate().filter_map(|(id, array)| match array.role {
@@ -38,16 +38,17 @@ fn local(array: ArrayId) -> Ident {
 }
 
 /// Prints a loop.
-pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
+pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
     let cx = printer.cx;
     let mstmm = &cx.mstmm;
     let (mut inputs, mut taken, mut writes) = (Vec::new(), TokenStream::new(), TokenStream::new());
-    for step in &one.body {
+    for step in &loop_.body {
         match step {
             Step::Load { from, into } => match printer.array(from).role {
                 ArrayRole::Local(_) => inputs.push(load_local(printer, from, into)),
                 ArrayRole::Argument(argument) => {
-                    let (input, statements) = arguments::repeated(printer, (argument, from), into);
+                    let (input, statements) =
+                        arguments::loop_input(printer, (argument, from), into);
                     inputs.push(input);
                     taken.extend(statements);
                 }
@@ -79,14 +80,14 @@ pub fn one(printer: &Printer, one: &ForLoop) -> TokenStream {
         }
     }
     let computed: Vec<Step> =
-        one.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
+        loop_.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
     let sections = printer.steps(&computed, |_| bug!("a loop's sections are printed alone"));
     let variable = |value| printer.variables.get(value);
-    let exits: Vec<&Ident> = one.carries.iter().map(|carry| variable(carry.exit)).collect();
-    let phis = one.carries.iter().map(|carry| variable(carry.phi));
-    let inits = one.carries.iter().map(|carry| printer.operand(&carry.init));
-    let nexts = one.carries.iter().map(|carry| printer.operand(&carry.next));
-    let (pattern, iterator) = zipped(inputs, &usize_literal(one.repetitions), one.inward);
+    let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
+    let phis = loop_.carries.iter().map(|carry| variable(carry.phi));
+    let inits = loop_.carries.iter().map(|carry| printer.operand(&carry.init));
+    let nexts = loop_.carries.iter().map(|carry| printer.operand(&carry.next));
+    let (pattern, iterator) = zipped(inputs, &usize_literal(loop_.repetitions), loop_.inward);
     quote! {
         #(let mut #exits = #inits;)*
         for #pattern in #iterator {
@@ -105,11 +106,11 @@ fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) ->
     let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
     let steps = printer.procedure.body.iter();
     let mut loops = steps.filter_map(|step| match step {
-        Step::Loop(one) => Some(one),
+        Step::Loop(loop_) => Some(loop_),
         _ => None,
     });
     let leaves = |step: &Step| matches!(step, Step::Store { to, .. } if to.array == from.array);
-    let Some(earlier) = loops.find(|one| one.body.iter().any(leaves)) else {
+    let Some(earlier) = loops.find(|loop_| loop_.body.iter().any(leaves)) else {
         bug!("a loop reads what no loop has left")
     };
     let times = if earlier.inward {

@@ -93,9 +93,9 @@ impl EmitContext<'_> {
     }
 
     /// Returns statements that may fail, so that the workspace is reset after a failure.
-    fn reset_where_it_fails(&self, statements: TokenStream) -> TokenStream {
+    fn with_reset(&self, statements: TokenStream) -> TokenStream {
         let mstmm = &self.mstmm;
         let reset = quote!(#mstmm::generated::reset(at_, || self.workspace()););
-        checks::failing(Some(&reset), statements)
+        checks::with_reset(Some(&reset), statements)
     }
 }

@@ -121,7 +121,7 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     });
     let index = cx.chain.parameters.iter().position(|other| other.name == *name);
     let is_used = index.is_some_and(|index| cx.chain.closure_uses(index));
-    let chain = closure::found(cx, is_used, quote!(chain_));
+    let chain = closure::with_rank(cx, is_used, quote!(chain_));
     let cost = (is_used && closure::directions(cx).is_some()).then(|| {
         quote! {
             ///

@@ -34,7 +34,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let points = &cx.compiled.point_storage.points;
     let count = usize_literal(points.len());
     let entries = points.iter().map(|point| entry(cx, point));
-    let found = found(cx);
+    let located = located(cx);
     // Inlined with a constant index, only the reads of the used vectors remain.
     let inline = if cx.chain.repeats.is_empty() { quote!(inline(always)) } else { quote!(inline) };
     let vector = vector(cx, &inline);
@@ -45,7 +45,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         /// Connection point number `index`.
         #[#inline]
         fn point_(&self, index_: ::core::primitive::usize) -> #point {
-            #found
+            #located
             <#point>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
         }
 
@@ -59,7 +59,7 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
     let mut changing = cx.compiled.point_storage.points.iter().flat_map(|point| &point.changing);
     changing.any(Option::is_some).then(|| {
         let shifts = usize_literal(cx.chain.dimension.shifts().len());
-        let found = found(cx);
+        let located = located(cx);
         quote! {
             /// The vector at a place among the numbers of connection point number `index`.
             #[#inline]
@@ -69,7 +69,7 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
                 index_: ::core::primitive::usize,
                 place_: ::core::primitive::u32,
             ) -> [T; #shifts] {
-                #found
+                #located
                 #mstmm::generated::vector_at(numbers_, place_)
             }
         }
@@ -86,7 +86,7 @@ pub fn all(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns a statement that binds the index of a point in the model and the stored values of its segment and repetition.
-fn found(cx: &EmitContext) -> TokenStream {
+fn located(cx: &EmitContext) -> TokenStream {
     if cx.chain.repeats.is_empty() {
         return quote!(let (model_, numbers_) = (index_, &self.numbers[..]););
     }

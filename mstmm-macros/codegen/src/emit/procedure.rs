@@ -54,21 +54,21 @@ impl Printer<'_> {
         let given = steps.iter().take_while(|step| matches!(step, Step::CheckArguments(_))).count();
         let (given, steps) = steps.split_at(given);
         let mut statements: TokenStream = given.iter().map(|step| self.step(step)).collect();
-        statements.extend(self.opened_results());
+        statements.extend(self.declared_results());
         statements.extend(constant);
-        statements.extend(loops::opened(self));
+        statements.extend(loops::declarations(self));
         statements.extend(self.steps(steps, |step| self.step(step)));
-        statements.extend(self.delivered());
+        statements.extend(self.copied_results());
         statements
     }
 
     fn step(&self, step: &Step) -> TokenStream {
         match step {
-            Step::CheckArguments(arrays) => checks::given(self, arrays),
-            Step::Load { from, into } => arguments::once(self, from, into),
+            Step::CheckArguments(arrays) => checks::arguments(self, arrays),
+            Step::Load { from, into } => arguments::load(self, from, into),
             Step::Store { to, values } => self.store(to, values),
-            Step::Loop(one) => loops::one(self, one),
-            Step::CheckResults(finish) => checks::finish(self, finish),
+            Step::Loop(loop_) => loops::print(self, loop_),
+            Step::CheckResults(check) => checks::results(self, check),
             Step::Compute(_) | Step::CheckPivot { .. } => {
                 bug!("statements and tests of a loop are printed with it")
             }
@@ -82,7 +82,7 @@ impl Printer<'_> {
 
     /// Declares the variables through which results are written: arrays that loops fill, and references to entries that are
     /// written one by one.
-    fn opened_results(&self) -> TokenStream {
+    fn declared_results(&self) -> TokenStream {
         let mut statements = TokenStream::new();
         for (id, array) in self.result_arrays() {
             if self.is_filled(id) {
@@ -158,7 +158,7 @@ impl Printer<'_> {
     }
 
     /// Copies results that were kept back to their destination.
-    fn delivered(&self) -> TokenStream {
+    fn copied_results(&self) -> TokenStream {
         let mut statements = TokenStream::new();
         for (id, _) in self.result_arrays().filter(|(id, _)| self.is_filled(*id)) {
             let name = self.result(id);
@@ -208,11 +208,11 @@ fn uses_numbers(steps: &[Step]) -> bool {
         }
         Step::Store { values, .. } => values.iter().flatten().any(number),
         Step::CheckPivot { value, scale, .. } => number(value) || number(scale),
-        Step::CheckResults(finish) => finish.operands().any(number),
-        Step::Loop(one) => {
+        Step::CheckResults(check) => check.operands().any(number),
+        Step::Loop(loop_) => {
             let carried =
-                one.carries.iter().any(|carry| number(&carry.init) || number(&carry.next));
-            carried || uses_numbers(&one.body)
+                loop_.carries.iter().any(|carry| number(&carry.init) || number(&carry.next));
+            carried || uses_numbers(&loop_.body)
         }
     })
 }

@@ -89,10 +89,10 @@ fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
     let hinge = name.to_string();
     let check = |motion: TokenStream| quote!(#mstmm::generated::check_quaternion(#hinge, #motion.state.quaternion())?;);
     if cx.chain.repeat_of_input(input.what).is_some() {
-        let one = check(quote!(motion_));
+        let statement = check(quote!(motion_));
         return quote! {
             for motion_ in &inputs_.#name {
-                #one
+                #statement
             }
         };
     }

@@ -21,8 +21,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let shifts = usize_literal(cx.chain.dimension.shifts().len());
     let places = point_access::emit(cx);
     let (all_points, order) = (point_access::all(cx), orders::of_points(cx));
-    let [numbers_at_first, at_rest_at_first] =
-        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| initial_values::at_first(cx, id));
+    let [initial_numbers, initial_at_rest] =
+        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| initial_values::array(cx, id));
     let rates = usize_literal(cx.all_rates().total);
     let point = point_type(cx);
     let if_prescribed = |tokens: TokenStream| cx.chain.has_prescribed_hinges().then_some(tokens);
@@ -117,8 +117,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                     efforts: #mstmm::generated::vector([zero_; #rates]),
                     #energies_zero
                     #closure_zero
-                    numbers: #numbers_at_first,
-                    at_rest: #at_rest_at_first,
+                    numbers: #initial_numbers,
+                    at_rest: #initial_at_rest,
                 }
             }
         }
@@ -148,7 +148,7 @@ fn energies(cx: &EmitContext) -> EnergyItems {
     }
     let visibility = &cx.passthrough.visibility;
     let [kinetic, potential] =
-        [0, 1].map(|entry| initial_values::number_at_first(cx, outputs::ENERGIES, entry));
+        [0, 1].map(|entry| initial_values::entry(cx, outputs::ENERGIES, entry));
     EnergyItems {
         fields: quote! {
             kinetic_energy: T,
@@ -190,7 +190,8 @@ struct ClosureItems {
 
 fn closure(cx: &EmitContext) -> ClosureItems {
     let mstmm = &cx.mstmm;
-    let Some(held) = initial_values::count(cx, outputs::UNDETERMINED).map(|count| count / 6) else {
+    let Some(held) = initial_values::length(cx, outputs::UNDETERMINED).map(|count| count / 6)
+    else {
         let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
         return ClosureItems { field, zero, method, shown };
     };

@@ -119,7 +119,7 @@ impl Function<'_> {
 
     /// Iterates over all roots: the ends and the loop-carried values. Passes must take the roots from here.
     pub fn roots(&self) -> impl Iterator<Item = Edge> + '_ {
-        let carries = self.loops.iter().flat_map(|one| &one.carries);
+        let carries = self.loops.iter().flat_map(|loop_| &loop_.carries);
         self.ends().chain(carries.flat_map(|carry| [carry.init, carry.next]))
     }
 
@@ -134,7 +134,7 @@ impl Function<'_> {
             let images = values.into_iter().filter_map(|(name, edge)| Some((name, image(edge)?)));
             heading.values = images.collect();
         }
-        for carry in self.loops.iter_mut().flat_map(|one| &mut one.carries) {
+        for carry in self.loops.iter_mut().flat_map(|loop_| &mut loop_.carries) {
             (carry.init, carry.next) = (root(carry.init), root(carry.next));
         }
         for output in &mut self.outputs {

@@ -216,8 +216,8 @@ impl<'g> Run<'g> {
 }
 
 /// Returns whether two lists of values are the same.
-fn same(one: &[Expr], other: &[Expr]) -> bool {
-    one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.is(other))
+fn same(a: &[Expr], b: &[Expr]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is(b))
 }
 
 impl fmt::Debug for LoopTracer<'_> {
@@ -251,7 +251,7 @@ mod tests {
         let [sum, kept, difference, sum_again, difference_again, kept_again] = left;
         assert!(sum.is(&sum_again) && difference.is(&difference_again) && !sum.is(&difference));
         assert_eq!([kept, kept_again].map(Expr::known), [Some(0.0); 2]);
-        let carries: Vec<_> = loops.iter().flat_map(|one| &one.carries).collect();
+        let carries: Vec<_> = loops.iter().flat_map(|loop_| &loop_.carries).collect();
         let [of_sum, of_difference] = carries[..] else { panic!("{carries:?}") };
         let unknown = |symbol| graph.symbol(symbol, Stage::State);
         assert_eq!(of_sum.next, graph.edge(unknown(of_sum.phi) + own));

@@ -60,7 +60,7 @@ mod tests {
     use crate::ids::{RepeatId, SymbolId};
 
     /// Returns a loop with one carry, whose phi and exit have this symbol and the next one.
-    fn one(graph: &Graph, inward: bool, first: usize, init: Expr, added: Expr) -> Loop {
+    fn carrying_loop(graph: &Graph, inward: bool, first: usize, init: Expr, added: Expr) -> Loop {
         let [phi, exit] = [first, first + 1].map(SymbolId);
         let next = graph.symbol(phi, Stage::State) + added;
         let carry = Carry { init: graph.edge(init), next: graph.edge(next), phi, exit };
@@ -79,20 +79,21 @@ mod tests {
             outputs: Vec::new(),
             pivots: Vec::new(),
         };
-        fuse_loops(function).loops.iter().map(|one| one.carries.len()).collect()
+        fuse_loops(function).loops.iter().map(|loop_| loop_.carries.len()).collect()
     }
 
     #[test]
     fn loops_are_fused_unless_directions_differ_or_one_waits() {
         let graph = Graph::default();
         let [start, own, left] = [0, 1, 3].map(|k| graph.symbol(SymbolId(k), Stage::State));
-        let first = one(&graph, false, 2, start, own);
+        let first = carrying_loop(&graph, false, 2, start, own);
         let count = |second: Loop| carries(&graph, &[first.clone(), second]).len();
-        assert_eq!(count(one(&graph, false, 4, start, own)), 1);
-        assert_eq!(count(one(&graph, true, 4, start, own)), 2);
-        assert_eq!(count(one(&graph, false, 4, left * own, own)), 2);
-        assert_eq!(count(one(&graph, false, 4, start, own * left)), 2);
-        let other_part = Loop { repeat: RepeatId(1), ..one(&graph, false, 4, start, own) };
+        assert_eq!(count(carrying_loop(&graph, false, 4, start, own)), 1);
+        assert_eq!(count(carrying_loop(&graph, true, 4, start, own)), 2);
+        assert_eq!(count(carrying_loop(&graph, false, 4, left * own, own)), 2);
+        assert_eq!(count(carrying_loop(&graph, false, 4, start, own * left)), 2);
+        let other_part =
+            Loop { repeat: RepeatId(1), ..carrying_loop(&graph, false, 4, start, own) };
         assert_eq!(count(other_part), 2);
     }
 
@@ -100,9 +101,9 @@ mod tests {
     fn fused_loops_are_waited_for_as_one() {
         let graph = Graph::default();
         let [start, own, left] = [0, 1, 5].map(|k| graph.symbol(SymbolId(k), Stage::State));
-        let first = one(&graph, false, 2, start, own);
-        let second = one(&graph, false, 4, start, own);
-        let third = one(&graph, false, 6, left, own);
+        let first = carrying_loop(&graph, false, 2, start, own);
+        let second = carrying_loop(&graph, false, 4, start, own);
+        let third = carrying_loop(&graph, false, 6, left, own);
         assert_eq!(carries(&graph, &[first, second, third]), [2, 1]);
     }
 }

@@ -141,8 +141,8 @@ impl<'a> Linearizer<'a> {
 
     /// Names the loop-carried values.
     fn name_carries(&mut self) {
-        for (number, one) in self.regions.loops.iter().enumerate() {
-            for (place, carry) in one.carries.iter().enumerate() {
+        for (number, loop_) in self.regions.loops.iter().enumerate() {
+            for (place, carry) in loop_.carries.iter().enumerate() {
                 let exit = self.numbered(format!("carry{number}_{place}"));
                 let phi = self.numbered(format!("carry{number}_{place}_before"));
                 for (symbol, value) in [(carry.phi, phi), (carry.exit, exit)] {

@@ -12,20 +12,23 @@ impl<'a> Linearizer<'a> {
     pub(super) fn linearize_loop(&mut self, id: LoopId) {
         let region = Region::Loop(id);
         self.linearize_region(region, self.live.nodes().to_vec());
-        let one = &self.regions.loops[id];
+        let loop_ = &self.regions.loops[id];
         let own = |edge: &Edge| self.regions.region(edge.node()) == region;
         let results: Vec<(usize, Edge)> =
             self.function.results().enumerate().filter(|(_, edge)| own(edge)).collect();
         let pivots = self.pivots_in(region);
         let sections = self.take_sections();
         // A loop may compute values that only later loops read.
-        if results.is_empty() && pivots.is_empty() && one.carries.is_empty() && sections.is_empty()
+        if results.is_empty()
+            && pivots.is_empty()
+            && loop_.carries.is_empty()
+            && sections.is_empty()
         {
             return;
         }
         let mut loads: Vec<(BlockId, Vec<ValueId>)> = Vec::new();
         let (mut unknowns, mut slots) = (Vec::new(), Vec::new());
-        for node in self.read_by(region, one, &pivots) {
+        for node in self.read_by(region, loop_, &pivots) {
             if self.is_slot(node) {
                 slots.extend(self.slots.get(&node).cloned());
                 continue;
@@ -41,7 +44,7 @@ impl<'a> Linearizer<'a> {
             }
         }
         unknowns.sort_unstable();
-        let carries = one.carries.iter().map(|carry| CarriedValue {
+        let carries = loop_.carries.iter().map(|carry| CarriedValue {
             exit: self.carried(carry.exit),
             phi: self.carried(carry.phi),
             init: self.operand(carry.init),
@@ -54,7 +57,7 @@ impl<'a> Linearizer<'a> {
             .into_iter()
             .map(|(number, pivot)| (number, self.operand(pivot.value), self.operand(pivot.scale)));
         let pivots = pivots.collect();
-        let (repeat, inward, stores) = (one.repeat, one.inward, Vec::new());
+        let (repeat, inward, stores) = (loop_.repeat, loop_.inward, Vec::new());
         let block = self.program.blocks.push(Block::Loop(LoopBlock {
             repeat,
             inward,
@@ -82,7 +85,7 @@ impl<'a> Linearizer<'a> {
     fn read_by(
         &self,
         region: Region,
-        one: &function::Loop,
+        loop_: &function::Loop,
         pivots: &[(usize, &function::NamedPivot)],
     ) -> Vec<NodeId> {
         let own = self.live.nodes().iter().filter(|&&node| self.regions.region(node) == region);
@@ -93,7 +96,7 @@ impl<'a> Linearizer<'a> {
                 read.extend(self.graph.node(node).operands().map(Edge::node));
             }
         }
-        read.extend(one.carries.iter().map(|carry| carry.next.node()));
+        read.extend(loop_.carries.iter().map(|carry| carry.next.node()));
         let tested = pivots.iter().flat_map(|(_, pivot)| [pivot.value, pivot.scale]);
         read.extend(tested.map(Edge::node));
         read.sort_unstable();

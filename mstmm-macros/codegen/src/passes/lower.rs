@@ -44,9 +44,9 @@ pub fn lower(
     for (number, block) in program.blocks.enumerate() {
         match block {
             Block::Once(sections) => body.extend(sections.iter().cloned().map(Step::Compute)),
-            Block::Loop(one) => {
-                let one = lowering.one_loop(number, one);
-                body.push(Step::Loop(one));
+            Block::Loop(loop_) => {
+                let loop_ = lowering.lower_loop(number, loop_);
+                body.push(Step::Loop(loop_));
             }
         }
     }
@@ -80,8 +80,8 @@ struct Lowering<'a> {
 impl Lowering<'_> {
     /// Assigns ids to the tests of pivots in loops.
     fn number_checks(&mut self) {
-        for one in self.program.loops() {
-            for (pivot, ..) in &one.pivots {
+        for loop_ in self.program.loops() {
+            for (pivot, ..) in &loop_.pivots {
                 self.checks[*pivot] = Some(CheckId(self.check_count));
                 self.check_count += 1;
             }
@@ -153,10 +153,10 @@ impl Lowering<'_> {
     }
 
     /// Lowers a loop.
-    fn one_loop(&mut self, block: BlockId, one: &LoopBlock) -> ForLoop {
-        let repetitions = self.function.unknowns.repetitions(one.repeat);
-        let mut body = self.loads(Some(one.repeat), &one.unknowns, &one.slots);
-        for (from, values) in &one.loads {
+    fn lower_loop(&mut self, block: BlockId, loop_: &LoopBlock) -> ForLoop {
+        let repetitions = self.function.unknowns.repetitions(loop_.repeat);
+        let mut body = self.loads(Some(loop_.repeat), &loop_.unknowns, &loop_.slots);
+        for (from, values) in &loop_.loads {
             let Block::Loop(earlier) = &self.program.blocks[*from] else {
                 bug!("a loop loads values of a block that is no loop")
             };
@@ -165,28 +165,28 @@ impl Lowering<'_> {
             let into = earlier.stores.iter().map(wanted).collect();
             body.push(Step::Load { from, into });
         }
-        body.extend(one.sections.iter().cloned().map(Step::Compute));
-        if !one.stores.is_empty() {
-            let to = self.local(block, one);
-            let values = one.stores.iter().map(|&value| Some(Operand::Value(value))).collect();
+        body.extend(loop_.sections.iter().cloned().map(Step::Compute));
+        if !loop_.stores.is_empty() {
+            let to = self.local(block, loop_);
+            let values = loop_.stores.iter().map(|&value| Some(Operand::Value(value))).collect();
             body.push(Step::Store { to, values });
         }
         for output in &self.function.outputs {
-            body.extend(self.store_of_loop(output, one));
+            body.extend(self.store_of_loop(output, loop_));
         }
-        for (pivot, value, scale) in &one.pivots {
+        for (pivot, value, scale) in &loop_.pivots {
             let Some(check) = self.checks[*pivot] else { bug!("a pivot of a loop has no test") };
             let (value, scale) = (value.clone(), scale.clone());
             body.push(Step::CheckPivot { check, value, scale });
         }
-        let (repeat, inward, carries) = (one.repeat, one.inward, one.carries.clone());
+        let (repeat, inward, carries) = (loop_.repeat, loop_.inward, loop_.carries.clone());
         ForLoop { repeat, repetitions, inward, carries, body }
     }
 
     /// Returns the slice of the array in which a loop stores values for later loops.
-    fn local(&mut self, block: BlockId, one: &LoopBlock) -> ArraySlice {
-        let repetitions = self.function.unknowns.repetitions(one.repeat);
-        let layout = || ArrayLayout::each(one.stores.len(), one.repeat, repetitions);
+    fn local(&mut self, block: BlockId, loop_: &LoopBlock) -> ArraySlice {
+        let repetitions = self.function.unknowns.repetitions(loop_.repeat);
+        let layout = || ArrayLayout::each(loop_.stores.len(), loop_.repeat, repetitions);
         let array = self.array(ArrayRole::Local(block), layout);
         ArraySlice { array, segment: 0, first: 0, repetition: Repetition::Current }
     }
@@ -196,9 +196,9 @@ impl Lowering<'_> {
     }
 
     /// Stores the entries of an output that a loop computes.
-    fn store_of_loop(&mut self, output: &Output, one: &LoopBlock) -> Vec<Step> {
+    fn store_of_loop(&mut self, output: &Output, loop_: &LoopBlock) -> Vec<Step> {
         let numbers = self.function.entries_of(output.id);
-        let own = one.results.iter().filter(|(number, _)| numbers.contains(number));
+        let own = loop_.results.iter().filter(|(number, _)| numbers.contains(number));
         let values: Vec<(usize, Operand)> =
             own.map(|(number, value)| (number - numbers.start, value.clone())).collect();
         if values.is_empty() {

@@ -21,7 +21,7 @@ impl Owners {
             return Owners { same: Vec::new(), any: Vec::new() };
         }
         let mut carried = HashMap::new();
-        for carry in function.loops.iter().flat_map(|one| &one.carries) {
+        for carry in function.loops.iter().flat_map(|loop_| &loop_.carries) {
             for symbol in [carry.phi, carry.exit] {
                 carried.insert(symbol, [carry.init.node(), carry.next.node()]);
             }

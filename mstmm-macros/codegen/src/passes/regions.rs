@@ -34,7 +34,7 @@ impl Regions {
     pub fn of(function: &Function, live: &Live) -> Self {
         let mut loops: IdVec<LoopId, Loop> = function.loops.clone().into();
         let of_unknowns = function.unknowns.iter().filter_map(|unknown| unknown.repeat);
-        let last = of_unknowns.chain(loops.iter().map(|one| one.repeat)).max();
+        let last = of_unknowns.chain(loops.iter().map(|loop_| loop_.repeat)).max();
         let repeats = IdRange::from(0..last.map_or(0, |last: RepeatId| last.index() + 1));
         let empty = |repeat| Loop { repeat, inward: false, carries: Vec::new() };
         loops.extend(repeats.into_iter().map(empty));
@@ -64,8 +64,8 @@ impl Regions {
     }
 
     /// Returns the first region in which two nodes can be used together.
-    pub fn common(&self, one: NodeId, other: NodeId) -> Region {
-        self.first_for(self.dependence(one).and(self.dependence(other)))
+    pub fn common(&self, a: NodeId, b: NodeId) -> Region {
+        self.first_for(self.dependence(a).and(self.dependence(b)))
     }
 
     /// Returns the dependence of a node: none if there are no loops, or if the node was added later.
@@ -78,7 +78,7 @@ impl Regions {
             return Region::AfterLoops(dependence.earliest);
         };
         let mut later = self.loops.enumerate().skip(dependence.earliest);
-        match later.find(|(_, one)| one.repeat == repeat) {
+        match later.find(|(_, loop_)| loop_.repeat == repeat) {
             Some((id, _)) => Region::Loop(id),
             None => bug!("no loop is left over a repeated part"),
         }
@@ -112,12 +112,13 @@ struct CarriedUnknowns {
 
 impl CarriedUnknowns {
     fn of(loops: &IdVec<LoopId, Loop>, first: usize) -> Self {
-        let last = loops.iter().flat_map(|one| &one.carries).map(|carry| carry.exit.index()).max();
+        let last =
+            loops.iter().flat_map(|loop_| &loop_.carries).map(|carry| carry.exit.index()).max();
         let mut dependences = vec![Dependence::NONE; last.map_or(0, |last| last + 1 - first)];
-        for (id, one) in loops.enumerate() {
-            for carry in &one.carries {
+        for (id, loop_) in loops.enumerate() {
+            for carry in &loop_.carries {
                 dependences[carry.phi.index() - first] =
-                    Dependence { repeat: Some(one.repeat), earliest: id.index() };
+                    Dependence { repeat: Some(loop_.repeat), earliest: id.index() };
                 dependences[carry.exit.index() - first] =
                     Dependence { repeat: None, earliest: id.index() + 1 };
             }
@@ -135,14 +136,14 @@ impl CarriedUnknowns {
 pub fn drop_unused_carries(mut function: Function) -> Function {
     let graph = function.graph;
     let mut needed: Vec<Vec<bool>> =
-        function.loops.iter().map(|one| vec![false; one.carries.len()]).collect();
+        function.loops.iter().map(|loop_| vec![false; loop_.carries.len()]).collect();
     let mut roots: Vec<Edge> = function.ends().collect();
     loop {
         let live = Live::of(graph, roots.iter().copied());
         let is_read = |symbol| is_live(graph, &live, symbol);
         let before = roots.len();
-        for (one, needed) in function.loops.iter().zip(&mut needed) {
-            for (carry, needed) in one.carries.iter().zip(needed) {
+        for (loop_, needed) in function.loops.iter().zip(&mut needed) {
+            for (carry, needed) in loop_.carries.iter().zip(needed) {
                 if !*needed && (is_read(carry.phi) || is_read(carry.exit)) {
                     *needed = true;
                     roots.extend([carry.init, carry.next]);
@@ -153,11 +154,11 @@ pub fn drop_unused_carries(mut function: Function) -> Function {
             break;
         }
     }
-    for (one, needed) in function.loops.iter_mut().zip(&needed) {
+    for (loop_, needed) in function.loops.iter_mut().zip(&needed) {
         let mut needed = needed.iter();
-        one.carries.retain(|_| needed.next() == Some(&true));
+        loop_.carries.retain(|_| needed.next() == Some(&true));
     }
-    function.loops.retain(|one| !one.carries.is_empty());
+    function.loops.retain(|loop_| !loop_.carries.is_empty());
     function
 }
 

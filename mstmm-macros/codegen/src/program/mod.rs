@@ -133,20 +133,20 @@ pub enum Statement {
 impl Statement {
     /// Iterates over the values that it defines.
     pub fn defined(&self) -> impl Iterator<Item = ValueId> {
-        let (one, many) = match self {
+        let (single, several) = match self {
             Statement::Let(name, _) => (Some(*name), None),
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
         };
-        one.into_iter().chain(many.into_iter().flatten().filter_map(|name| *name))
+        single.into_iter().chain(several.into_iter().flatten().filter_map(|name| *name))
     }
 
     /// Iterates over its operands.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
-        let (some, many) = match self {
+        let (operands, angles) = match self {
             Statement::Let(_, operation) => (operation.operands(), &[][..]),
             Statement::SinCos { angles, .. } => ([None; 3], &angles[..]),
         };
-        some.into_iter().flatten().chain(many)
+        operands.into_iter().flatten().chain(angles)
     }
 }
 

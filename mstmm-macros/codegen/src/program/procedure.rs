@@ -252,7 +252,7 @@ impl Procedure {
     /// Iterates over all sections; sections of loops count once.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let steps = self.body.iter().flat_map(|step| match step {
-            Step::Loop(one) => one.body.iter(),
+            Step::Loop(loop_) => loop_.body.iter(),
             _ => std::slice::from_ref(step).iter(),
         });
         steps.filter_map(|step| match step {

@@ -119,7 +119,7 @@ pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
         ],
         arguments: quote!(#given at_: &mut #workspace<T>),
         returns: fallible(cx, &quote!(())),
-        opening: cx.reset_where_it_fails(quaternions::checked(cx)),
+        opening: cx.with_reset(quaternions::checked(cx)),
         end: quote!(::core::result::Result::Ok(())),
         destination: in_workspace,
     }

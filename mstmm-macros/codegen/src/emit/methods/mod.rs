@@ -56,7 +56,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let Some(answer) = function.answer else { bug!("the setup is no method") };
     let MethodTemplate { name, docs, arguments, returns, opening, end, destination } =
-        row(cx, answer);
+        template(cx, answer);
     let procedure = &function.procedure;
     let [before, behind] = docs;
     let cost = docs::cost(procedure);
@@ -72,7 +72,7 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
 }
 
 /// Returns the template of the method for an answer.
-fn row(cx: &EmitContext, answer: Answer) -> MethodTemplate {
+fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
     match answer {
         Answer::Accelerations => dynamics::accelerations(cx),
         Answer::ImplicitAccelerations => dynamics::implicit_accelerations(cx),

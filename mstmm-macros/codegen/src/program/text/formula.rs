@@ -48,8 +48,8 @@ impl Formula {
     /// Returns the formula of an operation; `operand` returns the formula of an operand.
     pub fn of(operation: &Operation, operand: &impl Fn(&Operand) -> Formula) -> Self {
         let call = |function: &str, operands: &[&Operand]| {
-            let arguments: Vec<Formula> = operands.iter().map(|one| operand(one)).collect();
-            let texts: Vec<&str> = arguments.iter().map(|one| &one.text[..]).collect();
+            let arguments: Vec<Formula> = operands.iter().map(|it| operand(it)).collect();
+            let texts: Vec<&str> = arguments.iter().map(|it| &it.text[..]).collect();
             Formula::call(function, &texts)
         };
         match operation {

@@ -56,7 +56,7 @@ impl Item {
 pub fn items(block: &Block) -> Vec<ItemSection> {
     let sections = match block {
         Block::Once(sections) => sections,
-        Block::Loop(one) => &one.sections,
+        Block::Loop(loop_) => &loop_.sections,
     };
     let mut angles = Vec::new();
     let mut all: Vec<ItemSection> = Vec::new();

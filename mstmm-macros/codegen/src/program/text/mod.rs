@@ -51,7 +51,7 @@ pub fn text(function: &str, program: &Program, labels: &Labels) -> String {
     for (block, sections) in program.blocks.iter().zip(&blocks) {
         match block {
             Block::Once(_) => printer.sections(sections),
-            Block::Loop(one) => printer.one_loop(one, sections),
+            Block::Loop(loop_) => printer.print_loop(loop_, sections),
         }
     }
     printer.under(RESULTS, "", TextPrinter::results);
@@ -176,9 +176,9 @@ impl TextPrinter<'_> {
         }
     }
 
-    fn one_loop(&mut self, one: &LoopBlock, sections: &[ItemSection]) {
-        let (item, count) = &self.labels.repeats[one.repeat.index()];
-        let range = match one.inward {
+    fn print_loop(&mut self, loop_: &LoopBlock, sections: &[ItemSection]) {
+        let (item, count) = &self.labels.repeats[loop_.repeat.index()];
+        let range = match loop_.inward {
             true => format!("(0..{count}).rev()"),
             false => format!("0..{count}"),
         };
@@ -188,11 +188,11 @@ impl TextPrinter<'_> {
         self.depth += 1;
         let before = self.lines.len();
         self.sections(sections);
-        self.under(RESULTS, "", |printer| printer.loop_results(one));
+        self.under(RESULTS, "", |printer| printer.loop_results(loop_));
         // The loop-carried values have their names only now.
         let body = self.lines.split_off(before);
-        one.carries.iter().for_each(|carried| self.carry(carried));
-        if !one.carries.is_empty() {
+        loop_.carries.iter().for_each(|carried| self.carry(carried));
+        if !loop_.carries.is_empty() {
             self.gap();
         }
         self.lines.extend(body);
@@ -207,13 +207,13 @@ impl TextPrinter<'_> {
         self.line(&format!("carry {name} = {init}, then {next};"));
     }
 
-    fn loop_results(&mut self, one: &LoopBlock) {
-        for (number, operand) in &one.results {
+    fn loop_results(&mut self, loop_: &LoopBlock) {
+        for (number, operand) in &loop_.results {
             let value = self.operand(operand).text;
             let (output, entry) = self.labels.entry(*number);
             self.line(&format!("{output}[{entry}] = {value};"));
         }
-        for (number, value, scale) in &one.pivots {
+        for (number, value, scale) in &loop_.pivots {
             self.pivot(*number, value, scale);
         }
     }
@@ -226,7 +226,7 @@ impl TextPrinter<'_> {
             start += count;
             let values = operands.iter().enumerate();
             let values: Vec<(usize, String)> = values
-                .filter_map(|(entry, one)| Some((entry, self.operand(one.as_ref()?).text)))
+                .filter_map(|(entry, value)| Some((entry, self.operand(value.as_ref()?).text)))
                 .collect();
             if !values.is_empty() && values.len() == *count {
                 let values: Vec<String> = values.into_iter().map(|(_, text)| text).collect();

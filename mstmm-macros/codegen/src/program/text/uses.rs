@@ -39,12 +39,12 @@ impl<'a> Uses<'a> {
                     names.for_each(|name| uses.0[name.index()].owner = Some(at));
                 }
             }
-            if let Block::Loop(one) = &program.blocks[BlockId(block)] {
+            if let Block::Loop(loop_) = &program.blocks[BlockId(block)] {
                 let at = Site { block, prefix: RESULT };
-                one.results.iter().for_each(|(_, result)| uses.read(result, Some(at)));
-                let tested = one.pivots.iter().flat_map(|(_, value, scale)| [value, scale]);
+                loop_.results.iter().for_each(|(_, result)| uses.read(result, Some(at)));
+                let tested = loop_.pivots.iter().flat_map(|(_, value, scale)| [value, scale]);
                 tested.for_each(|operand| uses.read(operand, Some(at)));
-                let carried = one.carries.iter().flat_map(|carry| [&carry.init, &carry.next]);
+                let carried = loop_.carries.iter().flat_map(|carry| [&carry.init, &carry.next]);
                 carried.for_each(|operand| uses.read(operand, None));
             }
         }
@@ -99,7 +99,7 @@ impl<'a> Uses<'a> {
 
 /// Names loop-carried values after their values at the end of a repetition.
 fn name_carries(program: &Program, names: &mut [Option<String>]) {
-    let carries: Vec<&CarriedValue> = program.loops().flat_map(|one| &one.carries).collect();
+    let carries: Vec<&CarriedValue> = program.loops().flat_map(|loop_| &loop_.carries).collect();
     let is_carried =
         |name: &ValueId| carries.iter().any(|carry| [carry.exit, carry.phi].contains(name));
     let mut taken: HashSet<String> = names.iter().flatten().cloned().collect();
