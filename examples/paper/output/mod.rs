@@ -4,6 +4,7 @@ mod comparison_tables;
 mod csv_file;
 mod document;
 pub mod drawing;
+mod figure_header;
 pub mod log_figure;
 mod output_folder;
 pub mod progress;

@@ -2,6 +2,7 @@
 
 mod numbering;
 mod style;
+mod typeset;
 
 use std::error::Error;
 use std::fs;
@@ -10,6 +11,7 @@ use std::path::{Path, PathBuf};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use self::numbering::{Entry, Numbering};
+use self::typeset::typeset;
 use super::comparison_tables::{self, Grid};
 use super::result_table::{ResultTable, Row, formatted};
 use super::summary;
@@ -112,7 +114,7 @@ fn verdicts(results: &Results, tolerance: f64, numbering: &Numbering) -> Markup 
                         }
                         @for Measurement { text, figure } in &result.measurements {
                             tr {
-                                td colspan="3" { (text) }
+                                td colspan="3" { (typeset(text)) }
                                 td { span.measured { "measured" } }
                                 td { (link(*figure)) }
                             }
@@ -164,7 +166,7 @@ fn contents(results: &Results, numbering: &Numbering) -> Markup {
                         a href={ "#" (anchor(*section)) } { (heading(*section)) }
                         ul {
                             @for Entry { id, label, title, .. } in numbering.of_section(*section) {
-                                li { a href={ "#" (id) } { (label) } ": " (capitalised(title)) }
+                                li { a href={ "#" (id) } { (label) } ": " (typeset(&capitalised(title))) }
                             }
                         }
                     }
@@ -213,7 +215,7 @@ fn of_figure(entry: &Entry, svg: &str, title: &str, caption: &str) -> Markup {
     html! {
         figure id=(entry.id) {
             div.scroll.plot { (PreEscaped(svg)) }
-            figcaption { strong { (entry.label) ". " } (title) ". " (caption) }
+            figcaption { strong { (entry.label) ". " } (title) ". " (typeset(caption)) }
         }
     }
 }
@@ -233,9 +235,9 @@ fn of_comparison(
                 figcaption { strong { (entry.label) ". " } (title) ". " (note) }
                 div.scroll {
                     table {
-                        thead { tr { @for column in columns { th { (column) } } } }
+                        thead { tr { @for column in columns { th { (typeset(&column)) } } } }
                         tbody {
-                            @for row in rows { tr { @for cell in row { td.number { (minus(&cell)) } } } }
+                            @for row in rows { tr { @for text in row { td.number { (typeset(&text)) } } } }
                         }
                     }
                 }
@@ -243,7 +245,7 @@ fn of_comparison(
         }
         ul {
             @for (what, value) in comparison_tables::summary(comparison) {
-                li { (what) ": " (value) }
+                li { (what) ": " (typeset(&value)) }
             }
         }
         (checks(&comparison.verdicts, tolerance))
@@ -259,20 +261,20 @@ fn of_table(
     let entry = numbering.add_table(section, table.title);
     html! {
         figure id=(entry.id) {
-            figcaption { strong { (entry.label) ". " } (capitalised(table.title)) ". " (table.note) }
+            figcaption { strong { (entry.label) ". " } (typeset(&capitalised(table.title))) ". " (typeset(table.note)) }
             div.scroll {
                 table {
                     thead {
                         tr {
                             th {}
-                            @for column in &table.columns { th { (column) } }
+                            @for column in &table.columns { th { (typeset(column)) } }
                         }
                     }
                     tbody {
                         @for Row { name, values } in &table.rows {
                             tr {
-                                th { (name) }
-                                @for &value in values { td.number { (scientific(&formatted(value))) } }
+                                th { (typeset(name)) }
+                                @for &value in values { td.number { (cell(value)) } }
                             }
                         }
                     }
@@ -294,7 +296,7 @@ fn checks(verdicts: &[Verdict], tolerance: f64) -> Markup {
                 ul {
                     @for check in checks() {
                         li {
-                            (check.what) ": " (size(check)) ", bound " (number(check.bound.value(tolerance))) " – "
+                            (typeset(&check.what)) ": " (size(check)) ", bound " (number(check.bound.value(tolerance))) " – "
                             (badge(check.passes(tolerance)))
                         }
                     }
@@ -309,21 +311,17 @@ fn size(check: &Check) -> Markup {
 }
 
 fn number(value: f64) -> Markup {
-    scientific(&summary::number(value))
+    typeset(&summary::number(value))
 }
 
-/// Sets a number with an exponent as in print: 1.2·10⁻⁸.
-fn scientific(text: &str) -> Markup {
-    match text.split_once(['e', 'E']) {
-        Some((digits, "0")) => html! { (minus(digits)) },
-        Some((digits, exponent)) => html! { (minus(digits)) "·10" sup { (minus(exponent)) } },
-        None => html! { (minus(text)) },
+/// A value of a table with at least three digits, without an exponent if that is short.
+fn cell(value: f64) -> Markup {
+    match value.abs() {
+        size if size < 1e6 && value.fract() == 0.0 => typeset(&format!("{}", value + 0.0)),
+        0.1..10.0 => typeset(&format!("{value:.3}")),
+        10.0..1e6 => typeset(&format!("{value:.1}")),
+        _ => typeset(&formatted(value)),
     }
-}
-
-/// Sets minus signs as in print.
-fn minus(number: &str) -> String {
-    number.replace('-', "−")
 }
 
 fn capitalised(text: &str) -> String {

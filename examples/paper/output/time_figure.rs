@@ -6,26 +6,16 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// Units of the drawing per pixel of the picture. All points are rounded to units; with one unit per pixel,
-/// lines would have visible steps.
-const FINE: u32 = 4;
-const WIDTH: u32 = 800 * FINE;
-const PANEL_HEIGHT: u32 = 320 * FINE;
-/// The height of the title and the legend above the panels.
-const HEADER_HEIGHT: u32 = 76 * FINE;
-const LINE_WIDTH: u32 = 2 * FINE;
-const FONT: &str = "sans-serif";
+use super::figure_header::{
+    self, Area, Drawn, Entry, FINE, FONT, LINE_WIDTH, MARK_SIZE, Symbol, WIDTH,
+};
+
+/// The height of a panel in pixels.
+const PANEL_HEIGHT: u32 = 320;
 /// Colours that readers with colour vision deficiency can distinguish (Okabe and Ito 2008).
 const COLOURS: [RGBColor; 3] = [RGBColor(0, 130, 200), RGBColor(213, 94, 0), RGBColor(0, 158, 115)];
-/// Half the size of a mark.
-const MARK_SIZE: u32 = 4 * FINE;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// A figure of the paper.
 pub struct TimeFigure {
@@ -66,48 +56,34 @@ impl TimeFigure {
 
     /// The picture.
     pub fn svg(&self) -> Result<String, Box<dyn Error>> {
-        let height = HEADER_HEIGHT + PANEL_HEIGHT * self.panels.len() as u32;
+        let legend = self.legend();
+        let height = figure_header::height(&legend) + PANEL_HEIGHT * self.panels.len() as u32;
         let mut svg = String::new();
-        self.draw(SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area())?;
-        // The view box keeps the drawing's units; only the size of the picture is in pixels.
-        let size = |scale: u32| format!(r#"width="{}" height="{}""#, WIDTH / scale, height / scale);
-        Ok(svg.replacen(&size(1), &size(FINE), 1))
+        let size = (WIDTH * FINE, height * FINE);
+        self.draw(SVGBackend::with_string(&mut svg, size).into_drawing_area(), &legend)?;
+        Ok(figure_header::in_pixels(&svg, height))
     }
 
-    fn draw(&self, root: Area) -> Drawn {
+    fn legend(&self) -> Vec<Entry<'_>> {
+        let curves = self.panels.iter().flat_map(|panel| &panel.curves);
+        let lines = curves
+            .zip(COLOURS.into_iter().cycle())
+            .map(|(curve, colour)| Entry { label: curve.label, symbol: Symbol::Line(colour) });
+        let heading = Entry { label: "generated code:", symbol: Symbol::Heading };
+        let marks = Entry { label: self.reference, symbol: Symbol::Cross(BLACK) };
+        [heading].into_iter().chain(lines).chain([marks]).collect()
+    }
+
+    fn draw(&self, root: Area, legend: &[Entry]) -> Drawn {
         root.fill(&WHITE)?;
-        let (header, below) = root.split_vertically(HEADER_HEIGHT);
-        self.draw_header(&header)?;
+        let (header, below) = root.split_vertically(figure_header::height(legend) * FINE);
+        figure_header::draw(&header, self.title, legend)?;
         // Each curve has a colour of its own, so that the panels share one legend.
         let mut colours = COLOURS.iter().cycle();
         for (panel, area) in self.panels.iter().zip(below.split_evenly((self.panels.len(), 1))) {
             panel.draw(&area, self.end, &mut colours)?;
         }
         root.present()?;
-        Ok(())
-    }
-
-    /// Draws title and legend.
-    fn draw_header(&self, header: &Area) -> Drawn {
-        let at = |x: u32, y: u32| ((x * FINE) as i32, (y * FINE) as i32);
-        let style = |size: u32, side: HPos| {
-            (FONT, size * FINE).into_text_style(header).pos(Pos::new(side, VPos::Center))
-        };
-        header.draw(&Text::new(self.title, at(400, 24), style(20, HPos::Center)))?;
-
-        let y = 56;
-        header.draw(&Text::new("generated code:", at(80, y), style(16, HPos::Left)))?;
-        let mut x = 210;
-        let curves = self.panels.iter().flat_map(|panel| &panel.curves);
-        for (curve, colour) in curves.zip(COLOURS.iter().cycle()) {
-            let line = [at(x, y), at(x + 30, y)];
-            header.draw(&PathElement::new(line, colour.stroke_width(LINE_WIDTH)))?;
-            header.draw(&Text::new(curve.label, at(x + 38, y), style(16, HPos::Left)))?;
-            x += 60 + 9 * curve.label.chars().count() as u32;
-        }
-        x += 20;
-        header.draw(&Cross::new(at(x + 8, y), MARK_SIZE, BLACK.stroke_width(FINE)))?;
-        header.draw(&Text::new(self.reference, at(x + 24, y), style(16, HPos::Left)))?;
         Ok(())
     }
 }

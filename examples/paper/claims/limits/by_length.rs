@@ -247,7 +247,7 @@ fn verdict(chains: &str, lengths: &[Length]) -> Verdict {
         methods.chain([check(reference, *of_reference, REFERENCE_BOUND)])
     });
     Verdict {
-        compared: format!("{chains}: code – 160 digits, relative"),
+        compared: format!("{chains}: code – 160-bit, relative"),
         figure: Some(FIGURE),
         checks: checks.collect(),
     }

@@ -31,7 +31,7 @@ pub fn table() -> ResultTable {
         title: "equation (45) for three cubes, singular values over the largest one",
         columns: (1..=UNKNOWNS).map(|k| format!("σ{k}")).collect(),
         rows,
-        note: "As printed, (45) starts outboard of the first hinge, at z_{2,I} with six unknowns. It determines \
+        note: "As printed, (45) starts outboard of the first hinge, with the six unknowns at the input of body 2. It determines \
                three of them for balls and five for pins: the condition of hinge 3 at body 2, which U₁ would \
                add, is missing. The product that starts at the ground, with U₁, determines all its unknowns.",
         verdicts: vec![Verdict {

@@ -93,7 +93,7 @@ pub fn table(progress: &Progress) -> Result<ResultTable, Error> {
                not finite (–), or wrong where rounding hides the zero, as in the last row. The cause is the \
                order of elimination, not the mechanism: generated code keeps its accuracy.",
         verdicts: vec![Verdict {
-            compared: "pins near 90°: code – 160 digits, relative".into(),
+            compared: "pins near 90°: code – 160-bit, relative".into(),
             figure: None,
             checks,
         }],

@@ -14,7 +14,7 @@ pub const STYLE: &str = "
 }
 body {
     font: 1rem/1.5 system-ui, sans-serif; color: var(--text); background: var(--page);
-    max-width: 62rem; margin: 0 auto; padding: 1rem 1rem 4rem;
+    max-width: 70rem; margin: 0 auto; padding: 1rem 1rem 4rem;
 }
 h1 { font-size: 1.6rem; line-height: 1.25; }
 h2 { font-size: 1.3rem; line-height: 1.3; margin: 2.5rem 0 0.5rem; border-top: 1px solid var(--line); padding-top: 1rem; }
@@ -23,10 +23,13 @@ p { max-width: 46rem; }
 a { color: var(--link); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.875rem; margin: 0.4rem 0; }
-th, td { padding: 0.18rem 0.7rem; text-align: right; white-space: nowrap; }
+th, td { padding: 0.18rem 0.55rem; text-align: right; white-space: nowrap; }
 th { font-weight: 600; }
 th:first-child, td:first-child { text-align: left; padding-left: 0.3rem; }
-tbody th { font-weight: 400; }
+tbody th { font-weight: 400; position: sticky; left: 0; background: var(--page); }
+tbody tr:nth-child(even) th { background: var(--stripe); }
+table.verdicts tbody th { position: static; background: none; }
+thead th { white-space: normal; vertical-align: bottom; }
 thead tr { border-bottom: 1px solid var(--faint); }
 tbody tr:nth-child(even) { background: var(--stripe); }
 .number { font-variant-numeric: tabular-nums; }
@@ -40,6 +43,8 @@ table.verdicts tr:not(.section) { border-bottom: 1px solid var(--line); }
 .failed { color: var(--page); background: var(--bad); font-weight: 700; padding: 0 0.4em; border-radius: 3px; }
 .measured { color: var(--faint); }
 @media (max-width: 42rem) {
+    tbody th { white-space: normal; max-width: 9rem; }
+    table.verdicts tbody th { max-width: none; }
     table.verdicts, table.verdicts tbody { display: block; }
     table.verdicts thead { display: none; }
     table.verdicts tr.section, table.verdicts tr.section th { display: block; text-align: left; }
