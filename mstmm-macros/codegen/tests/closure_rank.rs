@@ -66,7 +66,7 @@ fn check(text: impl Fn(&[f64]) -> String, start: &[f64], rank: usize) {
             let mut diagnostics = Diagnostics::default();
             let findings = examine(&chain, &mut diagnostics);
             assert!(diagnostics.finish().is_ok(), "refused at {near:?}");
-            let expected = Mobility { freedoms: 1, held: 5, redundant: 5 - rank };
+            let expected = Mobility { dofs: 1, constraints: 5, redundant: 5 - rank };
             assert_eq!(findings.mobility, Some(expected), "{near:?}");
             let known = ClosureRank::Known { rank, directions: 5 };
             assert_eq!(findings.closure_rank, known, "{near:?}");

@@ -80,17 +80,17 @@ fn freedoms(cx: &EmitContext) -> Vec<String> {
         return vec![format!(" Mobility {count}: {count} {freedoms}.")];
     }
     let rates = if count == 1 { "rate" } else { "rates" };
-    let Some(Mobility { freedoms, held, redundant }) = cx.findings.mobility else {
+    let Some(Mobility { dofs, constraints, redundant }) = cx.findings.mobility else {
         return vec![format!(" {count} {rates}; the last hinge closes the loop.")];
     };
     let mut lines = vec![format!(
-        " Mobility {freedoms}: {count} {rates}, of which the loop constraints remove {}.",
-        count - freedoms
+        " Mobility {dofs}: {count} {rates}, of which the loop constraints remove {}.",
+        count - dofs
     )];
     if redundant > 0 {
         lines.push(String::new());
         lines.push(format!(
-            " **Warning: the loop constraints are redundant.** {redundant} of the {held} directions that \
+            " **Warning: the loop constraints are redundant.** {redundant} of the {constraints} directions that \
              the last hinge constrains follow from the others. The motion is unique, but the reactions are not: \
              those of least norm are reported, and `closure()` of the workspace has the redundant directions."
         ));

@@ -34,7 +34,7 @@ pub fn to_base_parameters<S: Scalar>(
 ) -> PerLink<OriginalInertia<S>> {
     let scales = |link: &LinkKinematics<S>| (link.mass, link.inertia.trace());
     let scales: Vec<(S, S)> = links.iter().map(scales).collect();
-    let own: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
+    let inertias: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
     let step = |index: LinkId, own: RigidInertia<S>, of_parent: &mut RigidInertia<S>| {
         let link = &links[index];
         let stays = context.layout.is_at_repeat_boundary(index) || link.parent.is_none();
@@ -46,7 +46,7 @@ pub fn to_base_parameters<S: Scalar>(
         (left, given)
     };
     let ground = RigidInertia::zero();
-    let (left, _) = context.tree.inward(own, ground, step);
+    let (left, _) = context.tree.inward(inertias, ground, step);
     let (left, masses): (Vec<RigidInertia<S>>, Vec<S>) = left.into_iter().unzip();
     trace.section("base", "Base parameters", "");
     links.iter_mut().zip(left).for_each(|(link, rigid)| {
@@ -145,11 +145,11 @@ impl<S: Scalar> RigidInertia<S> {
 
     /// Returns the inertia about the origin of a body whose point is at `arm`.
     fn shifted_from(self, arm: Vec3<S>) -> Self {
-        let there =
+        let shifted =
             SpatialInertia::rigid(self.mass, self.first_moment, self.inertia).shifted_from(arm);
         RigidInertia {
             first_moment: self.first_moment + arm * self.mass,
-            inertia: there.angular,
+            inertia: shifted.angular,
             ..self
         }
     }

@@ -44,15 +44,15 @@ pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Ener
     trace.section("energy", "Energy", "");
     let half = S::number(0.5);
     let gravity = match &context.chain.gravity {
-        Source::Constant(values) => context.numbers.vector(values),
+        Source::Constant(values) => context.values.vector(values),
         Source::Nothing | Source::Input => Vec3::zero(),
     };
     let poses = poses(context, &links);
     let start = Energy { kinetic: S::zero(), potential: spring_energy(context, None) };
     let mut energy = context.tree.total(start, |index, mut energy| {
         let (link, pose) = (&links[index], &poses[index]);
-        let beside = link.omega.cross(link.first_moment);
-        let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + beside);
+        let coupling = link.omega.cross(link.first_moment);
+        let shifting = pose.velocity.dot(pose.velocity * (link.mass * half) + coupling);
         let turning = link.inertia.quadratic_form(link.omega);
         energy.kinetic = energy.kinetic + shifting + turning * half;
         let first_moment = pose.position * link.mass + pose.to_inertial * link.first_moment;

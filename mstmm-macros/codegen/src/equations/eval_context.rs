@@ -24,7 +24,7 @@ pub struct EvalContext<'a, S> {
     /// The layout of the chain's coordinates, rates, inputs and links.
     pub layout: &'a Layout,
     /// The values of the chain's symbols.
-    pub numbers: &'a SymbolValues<S>,
+    pub values: &'a SymbolValues<S>,
     /// Coordinates.
     pub q: &'a [S],
     /// Rates.
@@ -49,13 +49,13 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     pub fn new(
         chain: &'a Chain,
         layout: &'a Layout,
-        numbers: &'a SymbolValues<S>,
+        values: &'a SymbolValues<S>,
         (q, v, inputs): (&'a [S], &'a [S], &'a [S]),
     ) -> Self {
         let mut context = EvalContext {
             chain,
             layout,
-            numbers,
+            values,
             q,
             v,
             inputs,
@@ -100,8 +100,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
                 }
             }
         }
-        let known = |frame: Option<_>| frame.unwrap_or_else(|| bug!("a body has no frame"));
-        frames.into_iter().map(known).collect()
+        let required = |frame: Option<_>| frame.unwrap_or_else(|| bug!("a body has no frame"));
+        frames.into_iter().map(required).collect()
     }
 
     /// Returns the frame of a body, or the body whose frame must be computed first.
@@ -124,7 +124,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             None => identity,
             Some(other) => known[other].ok_or(other)?,
         };
-        let (from, to) = (self.numbers.place(self.chain, from), self.numbers.place(self.chain, to));
+        let (from, to) = (self.values.place(self.chain, from), self.values.place(self.chain, to));
         let (origin, rotation) = compose(outer, from);
         let rotation = rotation * to.1.transposed();
         Ok((origin - rotation * to.0, rotation))
@@ -133,11 +133,11 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// Returns the part that an attachment belongs to, with the origin and rotation of the
     /// attachment: in the frame of the part, or in the inertial frame if the part is the ground.
     pub fn place(&self, place: &Attachment) -> (MovesWith, Vec3<S>, Mat3<S>) {
-        let own = self.numbers.place(self.chain, place);
+        let local = self.values.place(self.chain, place);
         match place.body() {
-            None => (MovesWith::Ground, own.0, own.1),
+            None => (MovesWith::Ground, local.0, local.1),
             Some(body) => {
-                let (origin, rotation) = compose(self.frames[body], own);
+                let (origin, rotation) = compose(self.frames[body], local);
                 (self.layout.parts[body], origin, rotation)
             }
         }
@@ -150,7 +150,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
 
     /// Returns a frame that is fixed on a body, in the frame of the body's part.
     pub fn frame_on(&self, body: BodyId, frame: &Frame) -> (Vec3<S>, Mat3<S>) {
-        compose(self.frames[body], self.numbers.frame(frame))
+        compose(self.frames[body], self.values.frame(frame))
     }
 
     /// Returns the coordinates of a hinge.
@@ -188,16 +188,16 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
             return vec![S::zero(); self.chain.hinges[hinge].kind.dof_count()];
         };
-        let mut given = 0;
-        let one = |effort: &Effort| match effort {
+        let mut inputs = 0;
+        let value = |effort: &Effort| match effort {
             Effort::Free => S::zero(),
-            Effort::Constant(value) => self.numbers.scalar(value),
+            Effort::Constant(value) => self.values.scalar(value),
             Effort::Input => {
-                given += 1;
-                self.inputs[self.layout.input(InputKind::Efforts(hinge))][given - 1]
+                inputs += 1;
+                self.inputs[self.layout.input(InputKind::Efforts(hinge))][inputs - 1]
             }
         };
-        efforts.iter().map(one).collect()
+        efforts.iter().map(value).collect()
     }
 
     /// Returns a vector that may be an input. An input has components along `axes` only; the other
@@ -205,12 +205,13 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     pub fn vector(&self, source: &Source, what: InputKind, axes: &[usize]) -> Vec3<S> {
         match source {
             Source::Nothing => Vec3::zero(),
-            Source::Constant(values) => self.numbers.vector(values),
+            Source::Constant(values) => self.values.vector(values),
             Source::Input => {
-                let given = |place| self.inputs[self.layout.input(what)][place];
+                let component = |k: usize| self.inputs[self.layout.input(what)][k];
                 Vec3(
-                    [0, 1, 2]
-                        .map(|k| axes.iter().position(|&axis| axis == k).map_or(S::zero(), given)),
+                    [0, 1, 2].map(|k| {
+                        axes.iter().position(|&axis| axis == k).map_or(S::zero(), component)
+                    }),
                 )
             }
         }
@@ -224,9 +225,9 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             // of them is independent of all others.
             ClosureRank::Known { rank, directions } => Rank::Known(rank + added(held, directions)),
             ClosureRank::Unknown | ClosureRank::FoundAtRunTime(_) => {
-                let given = &self.numbers.closure_steps;
-                let ones = std::iter::repeat_n(S::one(), added(held, given.len()));
-                Rank::AtRunTime(ones.chain(given.iter().copied()).collect())
+                let steps = &self.values.closure_steps;
+                let ones = std::iter::repeat_n(S::one(), added(held, steps.len()));
+                Rank::AtRunTime(ones.chain(steps.iter().copied()).collect())
             }
         };
         let times = |link: &Link| self.chain.repetitions(Element::Hinge(link.hinge));

@@ -199,12 +199,12 @@ fn child_acceleration<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     problem: &MotionProblem<S>,
 ) -> Motion<S> {
-    let own = match loop_hinge.child {
+    let acceleration = match loop_hinge.child {
         None => problem.base_acceleration,
         // A moving end is attached to the ground, and its motion is prescribed.
         Some(link) => problem.acceleration_from_parent(link, problem.base_acceleration),
     };
-    loop_hinge.motion_from_child(own) + loop_hinge.child_bias_acceleration(links)
+    loop_hinge.motion_from_child(acceleration) + loop_hinge.child_bias_acceleration(links)
 }
 
 /// Returns the acceleration that the inboard side gives to the loop hinge, with the bias
@@ -229,13 +229,13 @@ fn loop_reaction<S: Scalar>(
     let hinge = &context.chain.hinges[loop_hinge.hinge.id];
     let (_, _, rotation) = context.place(&hinge.inboard);
     let to_hinge = Rotation::from_matrix(part_to_work * rotation);
-    let of =
+    let to_inboard =
         |wrench: Wrench<S>| wrench.rotated(&loop_hinge.hinge.to_parent).rotated_back(&to_hinge);
-    let along = |amounts: &Vec<S>| of(loop_hinge.wrench(Wrench::zero(), amounts));
+    let wrench_along = |amounts: &Vec<S>| to_inboard(loop_hinge.wrench(Wrench::zero(), amounts));
     let ConstraintForces { reactions, undetermined, pivots, .. } = &solution.constraint_forces;
     LoopReaction {
-        wrench: of(loop_hinge.wrench(constraints.applied, reactions)),
-        undetermined: undetermined.iter().map(along).collect(),
+        wrench: to_inboard(loop_hinge.wrench(constraints.applied, reactions)),
+        undetermined: undetermined.iter().map(wrench_along).collect(),
         pivots: pivots.clone(),
     }
 }

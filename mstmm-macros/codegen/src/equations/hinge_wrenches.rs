@@ -15,8 +15,7 @@ use crate::math::{Scalar, Wrench};
 
 /// Returns the wrench that every link's hinge exerts on the link, about the link's point, in its
 /// work axes. Along an axis that the hinge leaves free, the wrench is exactly the hinge's effort
-/// [P, Eqs. (25), (57),
-/// (58)].
+/// [P, Eqs. (25), (57), (58)].
 pub fn hinge_wrenches<S: Scalar>(
     problem: &MotionProblem<S>,
     solution: &MotionSolution<S>,
@@ -51,21 +50,22 @@ fn sum_inward<S: Scalar>(
     problem: &MotionProblem<S>,
     solution: &MotionSolution<S>,
 ) -> PerLink<Wrench<S>> {
-    let own = |(index, &load): (LinkId, &Wrench<S>)| {
+    let own_wrench = |(index, &load): (LinkId, &Wrench<S>)| {
         problem.inertia(index).times(solution.link_accelerations[index]) + load
     };
-    let mut wrenches: PerLink<Wrench<S>> = problem.bias_forces.enumerate().map(own).collect();
+    let mut wrenches: PerLink<Wrench<S>> =
+        problem.bias_forces.enumerate().map(own_wrench).collect();
     if let (Some(constraints), Some((link, constraint_wrenches))) =
         (&problem.loop_constraints, problem.constraint_wrenches())
     {
-        let given =
+        let applied =
             wrenches[link] + constraints.loop_hinge.hinge.wrench_to_parent(constraints.applied);
         wrenches[link] =
-            with_reactions(given, &constraint_wrenches, &solution.constraint_forces.reactions);
+            with_reactions(applied, &constraint_wrenches, &solution.constraint_forces.reactions);
     }
     let uses_affine_wrench = uses_affine_wrench(problem, solution);
-    let own = |(wrench, &elsewhere)| WrenchSum(if elsewhere { None } else { Some(wrench) });
-    let sums = wrenches.into_iter().zip(&uses_affine_wrench).map(own).collect();
+    let sum = |(wrench, &elsewhere)| WrenchSum(if elsewhere { None } else { Some(wrench) });
+    let sums = wrenches.into_iter().zip(&uses_affine_wrench).map(sum).collect();
     let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
         let wrench = sum.unwrap_or_else(|| {
             let a = problem.parent_acceleration(link, &solution.link_accelerations);
@@ -87,7 +87,7 @@ fn uses_affine_wrench<S: Scalar>(
     if solution.affine_wrenches.is_empty() {
         return PerLink::filled(false, problem.links.len());
     }
-    let own = PerLink::filled(BodyCount(1), problem.links.len());
+    let counts = PerLink::filled(BodyCount(1), problem.links.len());
     let step = |link: LinkId, BodyCount(count): BodyCount, parent: &mut BodyCount| {
         let at_boundary = problem.tree.is_boundary(link);
         let is_chosen = at_boundary || count > MAX_SUMMED_BODIES;
@@ -100,7 +100,7 @@ fn uses_affine_wrench<S: Scalar>(
         parent.0 = parent.0.max(beyond + 1);
         is_chosen
     };
-    problem.tree.inward(own, BodyCount(0), step).0
+    problem.tree.inward(counts, BodyCount(0), step).0
 }
 
 /// A wrench as a sum over a part and its children; `None` if the wrench is computed in another way.

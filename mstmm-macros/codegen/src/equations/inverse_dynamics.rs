@@ -40,10 +40,10 @@ pub fn bias_efforts<S: Scalar>(
     if uses_base_parameters(SolutionMethod::Riccati, axes, loop_hinge.is_some()) {
         to_base_parameters(context, &mut links, trace);
     }
-    let along = efforts(context, &links, trace);
+    let by_link = efforts(context, &links, trace);
     let mut efforts = vec![S::zero(); layout.dof_count()];
-    links.iter().zip(along).for_each(|(link, along)| {
-        efforts[layout.v[link.hinge.id].clone()].copy_from_slice(&along);
+    links.iter().zip(by_link).for_each(|(link, of_hinge)| {
+        efforts[layout.v[link.hinge.id].clone()].copy_from_slice(&of_hinge);
     });
     if let Some(loop_hinge) = loop_hinge {
         let range = layout.v[loop_hinge.hinge.id].clone();
@@ -61,7 +61,7 @@ fn efforts<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
 ) -> PerLink<Vec<S>> {
-    let outer = loads(context, links);
+    let external = loads(context, links);
     let (_, accelerations) = context.tree.outward(context.base_acceleration(), |link, &parent| {
         let hinge = &links[link].hinge;
         let a: Motion<S> = hinge.acceleration_from_parent(parent, hinge.bias_acceleration);
@@ -73,8 +73,9 @@ fn efforts<S: Scalar>(
         trace.motion(&format!("{}_acc", hinge.name), a);
         (a, a)
     });
-    let own = links.enumerate().map(|(index, link)| {
-        link.spatial_inertia().times(accelerations[index]) + link.velocity_wrench() - outer[index]
+    let wrenches = links.enumerate().map(|(index, link)| {
+        link.spatial_inertia().times(accelerations[index]) + link.velocity_wrench()
+            - external[index]
     });
     let step = |link, wrench: Wrench<S>, parent: &mut Wrench<S>| {
         let hinge = &links[link].hinge;
@@ -91,5 +92,5 @@ fn efforts<S: Scalar>(
         let rates = hinge.subspace.iter().zip(&hinge.passives.efforts);
         rates.map(|(column, &passive)| column.power(wrench) - passive).collect()
     };
-    context.tree.inward(own.collect(), Wrench::zero(), step).0
+    context.tree.inward(wrenches.collect(), Wrench::zero(), step).0
 }

@@ -16,27 +16,27 @@ pub fn loads<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Wrench<S>> {
     let chain = context.chain;
-    let mut all = PerLink::filled(Wrench::zero(), links.len());
+    let mut wrenches = PerLink::filled(Wrench::zero(), links.len());
     if chain.loads.is_empty() && chain.springs.is_empty() {
-        return all;
+        return wrenches;
     }
     let poses = poses(context, links);
     let mut add = |body: BodyId, wrench: &dyn Fn(LinkId) -> Wrench<S>| {
         // Loads on the ground have no effect.
         if let Some(link) = link_of(context.layout.parts[body]) {
-            all[link] = all[link] + wrench(link);
+            wrenches[link] = wrenches[link] + wrench(link);
         }
     };
     for (index, load) in chain.loads.enumerate() {
-        add(load.body, &|link| load_on(context, (index, load), &links[link], &poses[link]));
+        add(load.body, &|link| load_wrench(context, (index, load), &links[link], &poses[link]));
     }
     for spring in &chain.springs {
-        add(spring.body, &|link| spring_on(context, spring, &links[link], &poses[link]));
+        add(spring.body, &|link| spring_wrench(context, spring, &links[link], &poses[link]));
     }
-    all
+    wrenches
 }
 
-fn load_on<S: Scalar>(
+fn load_wrench<S: Scalar>(
     context: &EvalContext<S>,
     (index, load): (LoadId, &Load),
     link: &LinkKinematics<S>,
@@ -57,35 +57,35 @@ fn load_on<S: Scalar>(
 }
 
 /// Returns the wrench of a spring of length `l`, `−(k (l − l₀) + c l̇) n`.
-fn spring_on<S: Scalar>(
+fn spring_wrench<S: Scalar>(
     context: &EvalContext<S>,
     spring: &Spring,
     link: &LinkKinematics<S>,
     pose: &Pose<S>,
 ) -> Wrench<S> {
-    let numbers = context.numbers;
+    let values = context.values;
     let arm = link.part_to_work * (spring_point(context, spring) - link.point);
-    let inertial = pose.position + pose.to_inertial * arm - numbers.vector(&spring.to);
-    let way = Rotation::from_matrix(pose.to_inertial).rotate_back(inertial);
+    let inertial = pose.position + pose.to_inertial * arm - values.vector(&spring.to);
+    let displacement = Rotation::from_matrix(pose.to_inertial).rotate_back(inertial);
     let velocity = pose.velocity + link.omega.cross(arm);
     let [stiffness, damping, length] =
-        [&spring.stiffness, &spring.damping, &spring.length].map(|value| numbers.scalar(value));
-    let inverse = inverse_length(way);
+        [&spring.stiffness, &spring.damping, &spring.length].map(|value| values.scalar(value));
+    let inverse = inverse_length(displacement);
     // c l̇ / l and k (l − l₀) / l, both finite for a spring of length zero.
-    let damped = damping * way.dot(velocity) * (inverse * inverse);
-    let force = -(way * (stiffness - stiffness * length * inverse + damped));
+    let damped = damping * displacement.dot(velocity) * (inverse * inverse);
+    let force = -(displacement * (stiffness - stiffness * length * inverse + damped));
     Wrench { force, moment: Vec3::zero() }.shifted_from(arm)
 }
 
 /// Returns the point where a spring is attached to a body, in the frame of the body's part.
 fn spring_point<S: Scalar>(context: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
     let (origin, rotation) = context.frame(spring.body);
-    origin + rotation * context.numbers.vector(&spring.at)
+    origin + rotation * context.values.vector(&spring.at)
 }
 
 /// Returns `1 / |r|`, kept finite by a length far below any that matters.
-fn inverse_length<S: Scalar>(way: Vec3<S>) -> S {
-    (way.dot(way) + S::number(1e-30)).sqrt().recip()
+fn inverse_length<S: Scalar>(displacement: Vec3<S>) -> S {
+    (displacement.dot(displacement) + S::number(1e-30)).sqrt().recip()
 }
 
 /// Returns the energy of the springs between a link's part and the ground, in J; without a link,
@@ -94,24 +94,25 @@ pub fn spring_energy<S: Scalar>(
     context: &EvalContext<S>,
     on: Option<(LinkId, &LinkKinematics<S>, &Pose<S>)>,
 ) -> S {
-    let own = |spring: &&Spring| {
+    let is_on_part = |spring: &&Spring| {
         link_of(context.layout.parts[spring.body]) == on.map(|(index, ..)| index)
     };
     let mut energy = S::zero();
-    for spring in context.chain.springs.iter().filter(own) {
-        let numbers = context.numbers;
+    for spring in context.chain.springs.iter().filter(is_on_part) {
+        let values = context.values;
         let point = spring_point(context, spring);
         let position = on.map_or(point, |(_, link, pose)| {
             pose.position + pose.to_inertial * (link.part_to_work * (point - link.point))
         });
-        let way = position - numbers.vector(&spring.to);
+        let displacement = position - values.vector(&spring.to);
         let stretch = if spring.length.is_zero() {
-            way.dot(way)
+            displacement.dot(displacement)
         } else {
-            let more = way.dot(way) * inverse_length(way) - numbers.scalar(&spring.length);
-            more * more
+            let elongation = displacement.dot(displacement) * inverse_length(displacement)
+                - values.scalar(&spring.length);
+            elongation * elongation
         };
-        energy = energy + numbers.scalar(&spring.stiffness) * stretch * S::number(0.5);
+        energy = energy + values.scalar(&spring.stiffness) * stretch * S::number(0.5);
     }
     energy
 }

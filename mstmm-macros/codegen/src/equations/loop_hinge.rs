@@ -70,7 +70,7 @@ pub fn loop_hinge<S: Scalar>(
     let part =
         |link: Option<LinkId>| link.map_or(PartKinematics::ground(), |link| links[link].part());
     let hinge = hinge_kinematics(context, axes, (index, false), &part(parent));
-    let alignment = kind.law().alignment(context.numbers);
+    let alignment = kind.law().alignment(context.values);
     let PartKinematics { part_to_work, point, .. } = part(child);
     let child_to_work = hinge.child_to_work * (part_to_work * (rotation * alignment)).transposed();
     let child_arm = part_to_work * (origin - point);

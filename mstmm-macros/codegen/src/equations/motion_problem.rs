@@ -120,9 +120,9 @@ impl<S: Scalar> MotionProblem<'_, S> {
                 continue;
             }
             let is_angular = constraint.wrench.force.0.iter().all(|part| part.vanishes());
-            let along = wrench.scaled(if is_angular { inertia } else { mass });
-            added = added + SpatialInertia::from_fn(|i, j| along.at(i) * wrench.at(j));
-            load = load - along.scaled(target);
+            let scaled = wrench.scaled(if is_angular { inertia } else { mass });
+            added = added + SpatialInertia::from_fn(|i, j| scaled.at(i) * wrench.at(j));
+            load = load - scaled.scaled(target);
         }
         self.bias_forces[link] = load;
         self.added_inertia = Some((link, added));
@@ -131,18 +131,18 @@ impl<S: Scalar> MotionProblem<'_, S> {
 
     /// Returns the spatial inertia of a link's own part, with the added inertia.
     pub fn inertia(&self, link: LinkId) -> SpatialInertia<S> {
-        let own = self.links[link].spatial_inertia();
+        let inertia = self.links[link].spatial_inertia();
         match self.added_inertia {
-            Some((to, added)) if to == link => own + added,
-            _ => own,
+            Some((to, added)) if to == link => inertia + added,
+            _ => inertia,
         }
     }
 
     /// Returns the scales of the pivots along translations and about axes, of a link's own part.
     pub fn pivot_scales(&self, link: LinkId) -> (S, S) {
         let inertia = self.inertia(link);
-        let own = (inertia.linear.at(0, 0), inertia.angular.trace());
-        self.original_inertias.as_ref().map_or(own, |originals| originals[link].scales)
+        let scales = (inertia.linear.at(0, 0), inertia.angular.trace());
+        self.original_inertias.as_ref().map_or(scales, |originals| originals[link].scales)
     }
 
     /// Returns the mass that a link has transferred to its parent.

@@ -57,7 +57,7 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
 
 /// Returns coordinates displaced along the rates, with quaternions normalised.
 pub fn displace<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], rates: &[S]) -> Vec<S> {
-    let one = |(index, hinge): (HingeId, &Hinge)| {
+    let displaced = |(index, hinge): (HingeId, &Hinge)| {
         if hinge.is_prescribed() {
             return Vec::new();
         }
@@ -66,7 +66,7 @@ pub fn displace<S: Scalar>(chain: &Chain, layout: &Layout, q: &[S], rates: &[S])
         let moved: Vec<S> = q.iter().zip(change).map(|(&q, change)| q + change).collect();
         normalized(&hinge.kind, &moved)
     };
-    chain.hinges.enumerate().flat_map(one).collect()
+    chain.hinges.enumerate().flat_map(displaced).collect()
 }
 
 /// Returns the displacement from the inboard side of the loop hinge to its outboard side.
@@ -78,7 +78,7 @@ fn position_error<S: Scalar>(
 ) -> PositionError<S> {
     let hinge = &context.chain.hinges[loop_hinge.hinge.id];
     let (_, origin, rotation) = context.place(&hinge.outboard);
-    let aligned_subspace = rotation * hinge.kind.law().alignment(context.numbers);
+    let aligned_subspace = rotation * hinge.kind.law().alignment(context.values);
     let from = pose_of(loop_hinge.parent, poses);
     let reached = from.position + from.to_inertial * loop_hinge.hinge.arm;
     let axes = Rotation::from_matrix(from.to_inertial * loop_hinge.hinge.to_parent.matrix());
@@ -175,9 +175,9 @@ fn minimal_motion<S: Scalar>(
     let arriving = loop_hinge.hinge.motion_from_parent(
         loop_hinge.parent.map_or(Motion::zero(), |link| link_accelerations[link]),
     );
-    let own = layout.v[loop_hinge.hinge.id].clone();
-    if !own.is_empty() {
-        rates[own].copy_from_slice(&loop_hinge.rates(wanted - arriving));
+    let range = layout.v[loop_hinge.hinge.id].clone();
+    if !range.is_empty() {
+        rates[range].copy_from_slice(&loop_hinge.rates(wanted - arriving));
     }
     (rates, constraint_forces.excess)
 }

@@ -121,20 +121,20 @@ pub fn report<S: Scalar>(
 }
 
 fn record<S: Scalar>(name: &str, pose: &Pose<S>, trace: &mut Trace<S>) {
-    trace.section(format!("{name}_pose"), format!("Pose outboard `{name}`"), "[P, Eq. (12)]");
+    trace.section(format!("{name}_pose"), format!("Pose outboard of `{name}`"), "[P, Eq. (12)]");
     trace.vector(&format!("{name}_position"), pose.position);
     trace.matrix(&format!("{name}_to_inertial"), pose.to_inertial);
-    trace.section(format!("{name}_velocity"), format!("Velocity outboard `{name}`"), "");
+    trace.section(format!("{name}_velocity"), format!("Velocity outboard of `{name}`"), "");
     trace.vector(&format!("{name}_velocity"), pose.velocity);
 }
 
 /// Returns the accelerations of all rates, in the layout's order of all rates.
 fn rate_accelerations<S: Scalar>(context: &EvalContext<S>, free: &[S]) -> Vec<S> {
-    let of = |hinge: HingeId| match context.prescribed_accelerations(hinge) {
+    let accelerations = |hinge: HingeId| match context.prescribed_accelerations(hinge) {
         Some(given) => given.to_vec(),
         None => free[context.layout.v[hinge].clone()].to_vec(),
     };
-    context.chain.hinges.ids().into_iter().flat_map(of).collect()
+    context.chain.hinges.ids().into_iter().flat_map(accelerations).collect()
 }
 
 /// Returns the proper accelerations of all links' points. For a body that was merged into another
@@ -144,7 +144,7 @@ fn proper_accelerations<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     swept: &SweepResult<S>,
 ) -> PerLink<Motion<S>> {
-    let (all, _) = context.tree.outward(
+    let (accelerations, _) = context.tree.outward(
         ProperAcceleration(context.base_acceleration()),
         |link, &ProperAcceleration(parent)| {
             let hinge = &links[link].hinge;
@@ -155,7 +155,10 @@ fn proper_accelerations<S: Scalar>(
             (ProperAcceleration(proper_acceleration), ())
         },
     );
-    all.into_iter().map(|ProperAcceleration(proper_acceleration)| proper_acceleration).collect()
+    accelerations
+        .into_iter()
+        .map(|ProperAcceleration(proper_acceleration)| proper_acceleration)
+        .collect()
 }
 
 /// The proper acceleration of a link's point. It crosses no boundary, since the sweeps compute it
@@ -185,23 +188,23 @@ fn wrenches<S: Scalar>(
     } else {
         loads(context, links)
     };
-    let own = |(index, link): (LinkId, &LinkKinematics<S>)| match known(link) {
+    let own_sum = |(index, link): (LinkId, &LinkKinematics<S>)| match known(link) {
         Some(_) => WrenchSum(None),
         None => {
-            let own = link.spatial_inertia().times(proper_acceleration[index])
+            let wrench = link.spatial_inertia().times(proper_acceleration[index])
                 + link.velocity_wrench()
                 - external[index];
-            WrenchSum(Some(own))
+            WrenchSum(Some(wrench))
         }
     };
-    let mut all: PerLink<WrenchSum<S>> = links.enumerate().map(own).collect();
+    let mut sums: PerLink<WrenchSum<S>> = links.enumerate().map(own_sum).collect();
     if let Some((loop_hinge, wrench)) = closed {
         if let Some(parent) = loop_hinge.parent {
-            all[parent].add(|| wrench.shifted_from(loop_hinge.hinge.arm));
+            sums[parent].add(|| wrench.shifted_from(loop_hinge.hinge.arm));
         }
         let outboard = wrench.rotated_back(&loop_hinge.hinge.to_parent);
         if let Some((child, on_child)) = loop_hinge.wrench_on_child(outboard) {
-            all[child].add(|| on_child.reversed());
+            sums[child].add(|| on_child.reversed());
         }
     }
     let step = |link: LinkId, WrenchSum(sum): WrenchSum<S>, parent: &mut WrenchSum<S>| {
@@ -211,7 +214,7 @@ fn wrenches<S: Scalar>(
         parent.add(|| links[link].hinge.wrench_to_parent(wrench));
         wrench
     };
-    context.tree.inward(all, WrenchSum(None), step).0
+    context.tree.inward(sums, WrenchSum(None), step).0
 }
 
 /// A hinge with the wrench in it.
@@ -277,19 +280,22 @@ fn hinge_efforts<S: Scalar>(
     hinges: &IdVec<HingeId, Option<HingeWrench<S>>>,
     accelerations: &[S],
 ) -> Vec<S> {
-    let of = |(index, hinge_wrench): (HingeId, &Option<HingeWrench<S>>)| {
+    let efforts = |(index, hinge_wrench): (HingeId, &Option<HingeWrench<S>>)| {
         let (true, Some(HingeWrench { hinge, on_child, .. })) =
             (context.chain.hinges[index].is_prescribed(), hinge_wrench)
         else {
             return context.actuator_efforts(index);
         };
-        let own = &accelerations[context.layout.rates[index].clone()];
-        let rotors = hinge.passives.rotor_efforts(own);
-        let taken = hinge.subspace.iter().map(|s| s.power(*on_child));
+        let accelerations = &accelerations[context.layout.rates[index].clone()];
+        let rotors = hinge.passives.rotor_efforts(accelerations);
+        let required = hinge.subspace.iter().map(|s| s.power(*on_child));
         let less = rotors.iter().zip(&hinge.passives.efforts);
-        taken.zip(less).map(|(taken, (&rotor, &passive))| taken + rotor - passive).collect()
+        required
+            .zip(less)
+            .map(|(required, (&rotor, &passive))| required + rotor - passive)
+            .collect()
     };
-    hinges.enumerate().flat_map(of).collect()
+    hinges.enumerate().flat_map(efforts).collect()
 }
 
 /// The data that the states of connection points are read from.

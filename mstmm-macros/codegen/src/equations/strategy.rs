@@ -55,7 +55,7 @@ pub fn uses_base_parameters(method: SolutionMethod, axes: Axes, is_closed: bool)
 /// Masses at the centres of balls could be transferred as well, which saves one operation in a
 /// hundred. But three balls then took 6 % more time, and ten balls 12 %.
 pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> usize {
-    let count = |numbers: &[S]| numbers.iter().filter(|x| !x.vanishes()).count();
+    let count = |values: &[S]| values.iter().filter(|x| !x.vanishes()).count();
     let Sym3(entries) = inertia;
     let [diagonal, beside] = [&entries[..3], &entries[3..]].map(count);
     let difference = |(i, j): (usize, usize)| entries[i] - entries[j];

@@ -169,23 +169,23 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         else {
             return carried;
         };
-        let mut numbers = Vec::new();
+        let mut values = Vec::new();
         carried.clone().visit(&mut |number| {
-            numbers.push(number);
+            values.push(number);
             number
         });
         // Without values across this boundary no loop is needed.
-        if numbers.is_empty() {
+        if values.is_empty() {
             return carried;
         }
         let inwards = direction == SweepDirection::Inward;
         let replaced = if at_end == inwards {
-            hook.enter(repeat, inwards, &numbers)
+            hook.enter(repeat, inwards, &values)
         } else {
-            hook.leave(repeat, &numbers)
+            hook.leave(repeat, &values)
         };
-        if replaced.len() != numbers.len() {
-            bug!("{} numbers reach a boundary, {} leave it", numbers.len(), replaced.len())
+        if replaced.len() != values.len() {
+            bug!("{} numbers reach a boundary, {} leave it", values.len(), replaced.len())
         }
         let mut replaced = replaced.into_iter();
         carried.visit(&mut |_| {

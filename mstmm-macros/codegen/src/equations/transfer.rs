@@ -82,13 +82,13 @@ pub fn solve<S: Scalar>(
                 format!("Transfer to `{}`", hinge.name),
                 "[P, Eqs. (8), (21), (25), (35)]",
             );
-            let mut here = match (before, problem.links[link].parent) {
+            let mut current = match (before, problem.links[link].parent) {
                 (Some(before), Some(parent)) => before.across(problem, parent, link),
                 _ => TransferProduct::at_ground(problem, link),
             };
-            let used = here.cross_hinge(problem, link, trace);
-            here.record(&hinge.name, trace);
-            (Some(here), used)
+            let used = current.cross_hinge(problem, link, trace);
+            current.record(&hinge.name, trace);
+            (Some(current), used)
         });
     let unknowns = match (&product, path.last()) {
         (Some(product), Some(&last)) => {
@@ -179,12 +179,12 @@ impl<S: Scalar> TransferProduct<S> {
     /// point.
     fn outboard_of_body(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
-        let taken =
+        let outboard =
             |part: &StateColumn<S>| StateColumn { a: part.a, f: part.f - inertia.times(part.a) };
-        let known = taken(&self.known);
+        let known = outboard(&self.known);
         TransferProduct {
             known: StateColumn { a: known.a, f: known.f - problem.bias_forces[link] },
-            columns: self.columns.iter().map(taken).collect(),
+            columns: self.columns.iter().map(outboard).collect(),
         }
     }
 
@@ -251,7 +251,7 @@ fn far_end<S: Scalar>(
 ) -> Vec<S> {
     trace.section("end", "Boundary solve at the far end", "[P, Eqs. (9) to (11)]");
     let end = product.outboard_of_body(problem, last);
-    let given = problem.loop_constraints.as_ref().map_or(Wrench::zero(), |constraints| {
+    let applied = problem.loop_constraints.as_ref().map_or(Wrench::zero(), |constraints| {
         constraints
             .loop_hinge
             .hinge
@@ -259,7 +259,7 @@ fn far_end<S: Scalar>(
     });
     let rows = problem.dimension.axes().iter().map(|&k| BoundaryRow {
         coefficients: end.columns.iter().map(|part| part.f.at(k)).collect(),
-        value: given.at(k) - end.known.f.at(k),
+        value: applied.at(k) - end.known.f.at(k),
     });
     let unknowns = boundary(rows.collect());
     for (number, &unknown) in unknowns.iter().enumerate() {

@@ -17,27 +17,27 @@ pub(super) type Number = Structured<f64>;
 
 /// Returns the values of the chain's symbols, with parameters at their defaults. Rust constants are
 /// not known while compiling; they get arbitrary values that depend on the seed.
-pub(super) fn numbers(chain: &Chain, seed: usize) -> SymbolValues<Number> {
-    let any = |constant: usize| 0.5 + scattered(constant + 1, seed + 1);
+pub(super) fn values(chain: &Chain, seed: usize) -> SymbolValues<Number> {
+    let any = |constant: usize| 0.5 + low_discrepancy(constant + 1, seed + 1);
     let constants = (0..chain.constants).map(|constant| Number::variable(any(constant))).collect();
-    let mut numbers = SymbolValues { constants, ..SymbolValues::default() };
+    let mut values = SymbolValues { constants, ..SymbolValues::default() };
     let defaults = chain.parameters.iter().map(|parameter| {
         // A default never depends on another parameter.
-        Number::variable(numbers.scalar(&parameter.default).value())
+        Number::variable(values.scalar(&parameter.default).value())
     });
-    numbers.parameters = defaults.collect();
-    numbers
+    values.parameters = defaults.collect();
+    values
 }
 
 /// Returns evenly spread numbers from 0 to 1: multiples of the golden ratio.
-fn scattered(number: usize, seed: usize) -> f64 {
+fn low_discrepancy(number: usize, seed: usize) -> f64 {
     (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
 }
 
 /// Returns the deviation of a coordinate from the start: zero for the first seed, up to a half for
 /// others.
-fn around(number: usize, seed: usize) -> f64 {
-    if seed == 0 { 0.0 } else { scattered(number, seed) - 0.5 }
+fn deviation(number: usize, seed: usize) -> f64 {
+    if seed == 0 { 0.0 } else { low_discrepancy(number, seed) - 0.5 }
 }
 
 /// Coordinates, and inputs with prescribed motions.
@@ -52,7 +52,7 @@ pub(super) struct DryRun {
     pub layout: Layout,
     /// The layout with welded bodies merged. Its hinges have the same ids.
     pub merged: Layout,
-    pub numbers: SymbolValues<Number>,
+    pub values: SymbolValues<Number>,
     /// Whether some bodies have inertia in all directions only because of the loop constraints.
     pub held_by_closure: bool,
 }
@@ -60,26 +60,26 @@ pub(super) struct DryRun {
 impl DryRun {
     pub fn new(chain: Chain) -> Self {
         let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
-        DryRun { numbers: numbers(&chain, 0), chain, layout, merged, held_by_closure: false }
+        DryRun { values: values(&chain, 0), chain, layout, merged, held_by_closure: false }
     }
 
     pub fn context<'a>(
         &'a self,
         layout: &'a Layout,
-        numbers: &'a SymbolValues<Number>,
+        values: &'a SymbolValues<Number>,
         state: (&'a [Number], &'a [Number], &'a [Number]),
     ) -> EvalContext<'a, Number> {
-        let context = EvalContext::new(&self.chain, layout, numbers, state);
+        let context = EvalContext::new(&self.chain, layout, values, state);
         context.with_closure(self.held_by_closure, ClosureRank::Unknown)
     }
 
     pub fn solved(
         &self,
-        numbers: &SymbolValues<Number>,
+        values: &SymbolValues<Number>,
         pose: &Configuration,
     ) -> ForwardDynamics<Number> {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
-        let context = self.context(&self.merged, numbers, (q, &v, inputs));
+        let context = self.context(&self.merged, values, (q, &v, inputs));
         equations::forward_dynamics(
             &context,
             SolutionMethod::Riccati,
@@ -90,11 +90,11 @@ impl DryRun {
 
     pub fn swept(
         &self,
-        numbers: &SymbolValues<Number>,
+        values: &SymbolValues<Number>,
         pose: &Configuration,
     ) -> (ForwardDynamics<Number>, SweepResult<Number>) {
         let (v, Configuration { q, inputs }) = (self.at_rest(), pose);
-        let context = self.context(&self.merged, numbers, (q, &v, inputs));
+        let context = self.context(&self.merged, values, (q, &v, inputs));
         equations::forward_dynamics_with_wrenches(
             &context,
             SolutionMethod::Riccati,
@@ -109,7 +109,7 @@ impl DryRun {
         let (v, Configuration { mut q, inputs }) = (self.at_rest(), pose);
         let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
-            let context = self.context(&self.merged, &self.numbers, (&q, &v, &inputs));
+            let context = self.context(&self.merged, &self.values, (&q, &v, &inputs));
             let correction = equations::project(&context, &mut Trace::silent())?;
             let residual = correction.residual.value();
             if residual < CLOSED {
@@ -127,12 +127,12 @@ impl DryRun {
     }
 
     /// Returns the start with prescribed motions at rest, or a configuration near it.
-    pub fn pose(&self, numbers: &SymbolValues<Number>, seed: usize) -> Configuration {
-        Configuration { q: self.coordinates(numbers, seed), inputs: self.inputs(seed) }
+    pub fn pose(&self, values: &SymbolValues<Number>, seed: usize) -> Configuration {
+        Configuration { q: self.coordinates(values, seed), inputs: self.inputs(seed) }
     }
 
     /// Returns the start, or coordinates that differ from it by up to a half.
-    fn coordinates(&self, numbers: &SymbolValues<Number>, seed: usize) -> Vec<Number> {
+    fn coordinates(&self, values: &SymbolValues<Number>, seed: usize) -> Vec<Number> {
         let mut count = 0;
         let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let coordinates = free.flat_map(|hinge| {
@@ -141,7 +141,7 @@ impl DryRun {
                 .iter()
                 .map(|start| {
                     count += 1;
-                    Number::variable(numbers.scalar(start).value() + around(count, seed))
+                    Number::variable(values.scalar(start).value() + deviation(count, seed))
                 })
                 .collect();
             equations::hinge::normalized(&hinge.kind, &near)
@@ -165,7 +165,7 @@ impl DryRun {
             let kind = &self.chain.hinges[hinge].kind;
             let near = kind.spec().coordinates.iter().map(|coordinate| {
                 count += 1;
-                Number::variable(coordinate.rest + around(count, seed))
+                Number::variable(coordinate.rest + deviation(count, seed))
             });
             let near = equations::hinge::normalized(kind, &near.collect::<Vec<_>>());
             inputs[input.range.clone()][..near.len()].copy_from_slice(&near);

@@ -7,7 +7,7 @@ use crate::diag::Diagnostics;
 use crate::equations::{self, LoopReaction, PointState, SymbolValues, Trace};
 use crate::math::{PIVOT_ULPS, Vec3};
 use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
-use dry_run::{Configuration, DryRun, Number, numbers};
+use dry_run::{Configuration, DryRun, Number, values};
 use proc_macro2::Ident;
 
 /// The number of states tried. A hinge with a zero pivot in all of them has a zero pivot in every
@@ -45,9 +45,9 @@ pub struct Findings {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mobility {
     /// Remaining degrees of freedom.
-    pub freedoms: usize,
+    pub dofs: usize,
     /// Constraints of the loop hinge.
-    pub held: usize,
+    pub constraints: usize,
     /// Constraints that depend on others.
     pub redundant: usize,
 }
@@ -71,66 +71,66 @@ pub struct Drawing {
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
-    let mut trial = DryRun::new(chain.unrolled(most));
-    if !trial.merged.loop_hinges.is_empty() && !trial.idle_hinges().is_empty() {
+    let mut dry_run = DryRun::new(chain.unrolled(most));
+    if !dry_run.merged.loop_hinges.is_empty() && !dry_run.massless_hinges().is_empty() {
         // The loop constraints may hold bodies that have no inertia in some direction.
-        trial.held_by_closure = true;
+        dry_run.held_by_closure = true;
     }
-    trial.refuse_idle_hinges(diagnostics);
-    let held_by_closure = trial.held_by_closure;
-    let mut closure_rank = trial.closure_rank_at_run_time();
+    dry_run.refuse_massless_hinges(diagnostics);
+    let held_by_closure = dry_run.held_by_closure;
+    let mut closure_rank = dry_run.closure_rank_at_run_time();
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
-    let poses = trial.closed_poses();
-    let mobility = if whole { trial.mobility(&poses) } else { None };
+    let poses = dry_run.closed_poses();
+    let mobility = if whole { dry_run.mobility(&poses) } else { None };
     // A single pose has prescribed motions at zero, which may be a singular position.
     let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
     if let (Some((rank, directions)), true) =
-        (trial.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
+        (dry_run.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
     {
         closure_rank = ClosureRank::Known { rank, directions };
     }
-    if let Some(Mobility { freedoms: 0, .. }) = mobility {
-        trial.refuse_rigid_chain(diagnostics);
+    if let Some(Mobility { dofs: 0, .. }) = mobility {
+        dry_run.refuse_rigid_chain(diagnostics);
     }
-    let mass_ratio = Some(trial.mass_ratio());
-    let start = Some(trial.drawing(poses));
+    let mass_ratio = Some(dry_run.mass_ratio());
+    let start = Some(dry_run.drawing(poses));
     Findings { held_by_closure, closure_rank, mobility, mass_ratio, start }
 }
 
 impl DryRun {
     /// Returns the hinges with a zero pivot in all states: what they move has no inertia.
-    fn idle_hinges(&self) -> Vec<HingeId> {
-        let mut idle: Option<Vec<HingeId>> = None;
+    fn massless_hinges(&self) -> Vec<HingeId> {
+        let mut massless: Option<Vec<HingeId>> = None;
         for seed in 0..STATES {
-            let numbers = numbers(&self.chain, seed);
-            if !self.fits(&numbers) {
+            let values = values(&self.chain, seed);
+            if !self.fits(&values) {
                 continue;
             }
-            let solved = self.solved(&numbers, &self.pose(&numbers, seed));
+            let solved = self.solved(&values, &self.pose(&values, seed));
             let vanishing = solved.pivots.iter().filter(|pivot| {
                 let (value, scale) = (pivot.value.value(), pivot.scale.value());
                 value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
             });
             let now: Vec<HingeId> =
                 vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect();
-            let still: Vec<HingeId> = match idle {
+            let still: Vec<HingeId> = match massless {
                 None => now,
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
             };
             if still.is_empty() {
                 return still;
             }
-            idle = Some(still);
+            massless = Some(still);
         }
-        idle.unwrap_or_default()
+        massless.unwrap_or_default()
     }
 
     /// Returns the largest mass divided by the smallest.
     fn mass_ratio(&self) -> f64 {
         let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Physical);
-        let masses = bodies.map(|body| self.numbers.scalar(&body.mass).value());
+        let masses = bodies.map(|body| self.values.scalar(&body.mass).value());
         let (least, most) = masses.fold((f64::INFINITY, 0.0_f64), |(least, most), mass| {
             (least.min(mass), most.max(mass))
         });
@@ -138,24 +138,24 @@ impl DryRun {
     }
 
     /// Whether values of Rust constants fulfil the chain's assertions.
-    fn fits(&self, numbers: &SymbolValues<Number>) -> bool {
+    fn fits(&self, values: &SymbolValues<Number>) -> bool {
         let mut conditions = self.chain.assertions.iter().flatten();
-        conditions.all(|condition| condition.must.holds(numbers.scalar(&condition.value).value()))
+        conditions.all(|condition| condition.must.holds(values.scalar(&condition.value).value()))
     }
 
     /// Reports hinges that move no inertia.
-    fn refuse_idle_hinges(&self, diagnostics: &mut Diagnostics) {
+    fn refuse_massless_hinges(&self, diagnostics: &mut Diagnostics) {
         let mut reported: Vec<&Ident> = Vec::new();
-        for hinge in self.idle_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
+        for hinge in self.massless_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
             if !reported.contains(&&hinge.name) {
                 reported.push(&hinge.name);
-                diagnostics.error(hinge.name.span(), self.idle(hinge));
+                diagnostics.error(hinge.name.span(), self.massless_message(hinge));
             }
         }
     }
 
     /// Returns the message for a hinge that moves no inertia.
-    fn idle(&self, hinge: &Hinge) -> String {
+    fn massless_message(&self, hinge: &Hinge) -> String {
         let name = &hinge.name;
         let floats = self.chain.bodies.iter().any(|body| body.name == *name);
         if floats {
@@ -191,17 +191,21 @@ impl DryRun {
     /// none for a chain that is not closed.
     fn closed_poses(&self) -> Vec<Configuration> {
         let seeds = if self.merged.loop_hinges.is_empty() { 0..0 } else { 0..STATES };
-        seeds.filter_map(|seed| self.closed(self.pose(&self.numbers, seed))).collect()
+        seeds.filter_map(|seed| self.closed(self.pose(&self.values, seed))).collect()
     }
 
     /// Returns the mobility in these poses.
     fn mobility(&self, poses: &[Configuration]) -> Option<Mobility> {
-        let closing = *self.merged.loop_hinges.first()?;
+        let loop_hinge = *self.merged.loop_hinges.first()?;
         let redundant = self.closure_rank(poses).map(|(rank, directions)| directions - rank)?;
-        let own = self.merged.v[closing].len();
-        let held = self.chain.dimension.axes().len() - own;
-        let open = self.merged.dof_count() - own;
-        Some(Mobility { freedoms: (open + redundant).checked_sub(held)?, held, redundant })
+        let rates = self.merged.v[loop_hinge].len();
+        let constraints = self.chain.dimension.axes().len() - rates;
+        let open = self.merged.dof_count() - rates;
+        Some(Mobility {
+            dofs: (open + redundant).checked_sub(constraints)?,
+            constraints,
+            redundant,
+        })
     }
 
     /// Returns whether the rank of the loop constraints must be found when parameters are set. With
@@ -210,7 +214,7 @@ impl DryRun {
         let chain = &self.chain;
         let is_prescribed = chain.hinges.iter().any(Hinge::is_prescribed);
         let is_known = chain.geometry_is_known() && chain.constants == 0;
-        let reaction = self.solved(&self.numbers, &self.pose(&self.numbers, 0)).reaction;
+        let reaction = self.solved(&self.values, &self.pose(&self.values, 0)).reaction;
         match reaction {
             Some(reaction) if !is_prescribed && !is_known => {
                 ClosureRank::FoundAtRunTime(reaction.undetermined.len())
@@ -224,7 +228,7 @@ impl DryRun {
     fn closure_rank(&self, poses: &[Configuration]) -> Option<(usize, usize)> {
         let ranks = poses.iter().filter_map(|pose| {
             let LoopReaction { pivots, undetermined, .. } =
-                self.solved(&self.numbers, pose).reaction?;
+                self.solved(&self.values, pose).reaction?;
             let rank = pivots.iter().filter(|pivot| pivot.value() > INDEPENDENT).count();
             Some((rank, undetermined.len()))
         });
@@ -234,16 +238,16 @@ impl DryRun {
     /// Returns the geometry at the start, closed if possible.
     fn drawing(&self, poses: Vec<Configuration>) -> Drawing {
         let near = poses.into_iter().next();
-        let pose = near.unwrap_or_else(|| self.pose(&self.numbers, 0));
+        let pose = near.unwrap_or_else(|| self.pose(&self.values, 0));
         let (v, Configuration { q, inputs }) = (self.at_rest(), &pose);
-        let context = self.context(&self.layout, &self.numbers, (q, &v, inputs));
-        let (solved, swept) = self.swept(&self.numbers, &pose);
+        let context = self.context(&self.layout, &self.values, (q, &v, inputs));
+        let (solved, swept) = self.swept(&self.values, &pose);
         let report = equations::report(&context, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
         let centre = |(element, point): (&Element, &PointState<Number>)| match *element {
             Element::Hinge(_) => position(point.position),
             Element::Body(body) => {
-                let com = self.numbers.vector(&self.chain.bodies[body].com);
+                let com = self.values.vector(&self.chain.bodies[body].com);
                 position(point.position + point.rotation * com)
             }
         };
@@ -258,7 +262,7 @@ impl DryRun {
 
     fn gravity(&self) -> Option<[f64; 3]> {
         let Source::Constant(gravity) = &self.chain.gravity else { return None };
-        let gravity = self.numbers.vector(gravity).0.map(Number::value);
+        let gravity = self.values.vector(gravity).0.map(Number::value);
         gravity.iter().any(|&part| part != 0.0).then_some(gravity)
     }
 

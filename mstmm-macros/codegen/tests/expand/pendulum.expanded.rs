@@ -16,20 +16,20 @@
 /// <path d="M109.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="122.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
-/// | element | kind | degrees of freedom |
+/// | element | what it is | freedoms |
 /// |---|---|---|
 /// | `joint` | pin(z) | 1 |
 /// | `rod` | body `Rod` |  |
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`: 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos). With all results at every connection point: 17 operations.
+/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 17 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     changed_by_setters: ::mstmm::generated::Sealed<PendulumParameters<T>, [T; 7]>,
 }
-/// The parameters of [`Pendulum`], which can change at run time.
+/// Numbers of [`Pendulum`] that may change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumParameters<T> {
@@ -45,7 +45,7 @@ impl<T: ::mstmm::Scalar> PendulumParameters<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Makes the chain of the description, with default parameters.
+    /// The chain as described, its parameters at their defaults.
     #[inline]
     #[must_use]
     #[allow(clippy::all)]
@@ -56,7 +56,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// Returns the parameters, which can change at run time. Each has a setter.
+    /// The values that may change at run time. Each has a setter.
     #[inline]
     pub fn parameters(&self) -> &PendulumParameters<T> {
         self.changed_by_setters.parameters()
@@ -91,7 +91,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *self = chain_;
         ::core::result::Result::Ok(())
     }
-    /// Computes the values derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
+    /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(
         sealed_: ::mstmm::generated::Sealed<PendulumParameters<T>>,
@@ -135,9 +135,7 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    #[doc(alias("forward dynamics", "aba", "qacc"))]
-    /// Computes the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s²
-    /// (forward dynamics). This is the fastest method.
+    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
     ///
     /// 4 operations: 3 mul, 1 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -149,9 +147,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
-    /// `Error::NotFinite` if the state or the inputs are not finite. `accelerations` is then
-    /// unchanged.
+    /// `Error::Singular` if no inertia is left beyond a
+    /// hinge, `Error::NotFinite` if a number of the state or the
+    /// inputs is not finite. `accelerations` is not touched then.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
@@ -191,7 +189,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         accelerations_.data.0 = [[joint_acc_ang_z_]];
         ::core::result::Result::Ok(())
     }
-    /// Computes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 17 operations: 14 mul, 3 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -206,8 +204,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// Those of [`accelerations_into`](Self::accelerations_into). `at` is then an empty workspace, without
-    /// the results of earlier calls.
+    /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
+    /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -301,9 +299,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n7_16_ = joint_wrench_fy_;
         ::core::result::Result::Ok(())
     }
-    /// Returns kinetic and potential energy in J.
-    ///
-    /// The potential energy of gravity is zero if all centres of mass are at the inertial origin.
+    /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
+    /// of mass at the inertial origin.
     ///
     /// 5 operations: 5 mul, 0 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -335,7 +332,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             potential: potential_,
         }
     }
-    /// Computes the time derivatives of the coordinates.
+    /// The time derivatives of the coordinates.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[inline]
     fn coordinate_rates_into_(
@@ -346,7 +343,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_rate_]] = state_.v.data.0;
         (*coordinates_).data.0 = [[joint_rate_]];
     }
-    /// Returns the coordinates with normalised quaternions.
+    /// The coordinates with quaternions of unit length.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[inline]
     fn normalized_(&self, state_: &PendulumState<T>) -> [T; 1] {
@@ -354,7 +351,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let coordinates_ = [joint_angle_];
         coordinates_
     }
-    /// Returns the state at the start of the description, at time zero.
+    /// The state that the description starts from, at time zero.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[must_use]
     pub fn initial_state(&self) -> PendulumState<T> {
@@ -367,11 +364,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// Returns the accelerations `v̇` of all hinges; see [`accelerations_into`](Self::accelerations_into).
+    /// The accelerations `v̇` of all hinges by value; see [`accelerations_into`](Self::accelerations_into).
     ///
     /// # Errors
     ///
-    /// Those of [`accelerations_into`](Self::accelerations_into).
+    /// As [`accelerations_into`](Self::accelerations_into).
     #[inline]
     pub fn accelerations(
         &self,
@@ -442,12 +439,12 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
         self.energy(state_)
     }
 }
-/// The state of [`Pendulum`]: coordinates, rates and time.
+/// Coordinates and rates of [`Pendulum`] at a time.
 ///
-/// The entries of all hinges are in the order of the route. The floating base comes first, if there
-/// is one. Hinges with a prescribed motion have no entries.
+/// The hinges lie one after the other in the order of the route. A body that floats comes
+/// first; a hinge whose motion is prescribed has no place.
 ///
-/// | hinge | indices in `q` | indices in `v` |
+/// | of | places in `q` | places in `v` |
 /// |---|---|---|
 /// | `joint` | 0 | 0 |
 ///
@@ -455,18 +452,16 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumState<T> {
-    /// The coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
-    #[doc(alias("generalized coordinates", "qpos", "configuration", "nq"))]
+    /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
     pub q: ::mstmm::nalgebra::SVector<T, 1>,
-    /// The rates in rad/s and m/s.
-    #[doc(alias("generalized velocities", "qvel", "nv"))]
+    /// Rates in rad/s and m/s.
     pub v: ::mstmm::nalgebra::SVector<T, 1>,
-    /// The time in s.
+    /// Time in s.
     pub t: T,
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumState<T> {
-    /// Returns coordinates and rates of hinge `joint`.
+    /// Coordinates and rates of hinge `joint`.
     #[inline]
     #[must_use]
     pub fn joint(&self) -> ::mstmm::PinState<T> {
@@ -474,7 +469,7 @@ impl<T: ::mstmm::Scalar> PendulumState<T> {
         let [[v0_, ..]] = self.v.data.0;
         ::mstmm::PinState::new(q0_, v0_)
     }
-    /// Returns coordinates and rates of hinge `joint`, for writing.
+    /// Coordinates and rates of hinge `joint`, to be changed.
     #[inline]
     pub fn joint_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
         let [[q0_, ..]] = &mut self.q.data.0;
@@ -520,11 +515,11 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
         self.t = time_;
     }
 }
-/// The inputs of [`Pendulum`]: what acts on it from outside, given at every step.
+/// What drives [`Pendulum`] from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumInputs<T> {
-    /// The efforts of the motor of `joint` in N m, in the order of its rates.
+    /// Efforts in N m that drive `joint`, in the order of its rates.
     pub joint: T,
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
@@ -535,14 +530,14 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Returns inputs that are all zero; prescribed motions are at rest in the zero position.
+    /// Inputs that are all zero; prescribed motions rest in the zero position.
     #[inline]
     #[must_use]
     pub fn no_inputs(&self) -> PendulumInputs<T> {
         ::core::default::Default::default()
     }
 }
-/// The results of [`Pendulum::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+/// Results of [`Pendulum::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
@@ -555,25 +550,24 @@ pub struct PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
-    /// Returns the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s².
+    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
     #[inline]
     pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 1> {
         &self.accelerations
     }
-    /// Returns the kinetic energy in J.
+    /// Kinetic energy in J.
     #[inline]
     pub fn kinetic_energy(&self) -> T {
         self.kinetic_energy
     }
-    /// Returns the potential energy in J of gravity and springs.
-    ///
-    /// That of gravity is zero if all centres of mass are at the inertial origin.
+    /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
+    /// origin, and of springs.
     #[inline]
     pub fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// Returns all connection points in the order of the route: the input of the first element, then the
-    /// output of every element, which is the input of the next element.
+    /// All connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next one.
     #[inline]
     pub fn points(&self) -> [::mstmm::Point<T>; 3] {
         [self.point_(0), self.point_(1), self.point_(2)]
@@ -623,7 +617,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
-    /// Returns acceleration, effort, input and output of hinge `joint`.
+    /// Acceleration, effort, input and output of hinge `joint`.
     #[inline]
     pub fn joint(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
         let (input_, output_) = (self.point_(0), self.point_(1));
@@ -644,7 +638,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
             output_,
         )
     }
-    /// Returns the results at body `rod`: input and centre of mass.
+    /// Results at body `rod`: input and centre of mass.
     #[inline]
     pub fn rod(
         &self,
@@ -674,7 +668,7 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Returns an empty workspace for [`solve_into`](Self::solve_into). Its contents are unspecified until then.
+    /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
     #[must_use]
     #[allow(clippy::all)]
     pub fn workspace(&self) -> PendulumWorkspace<T> {

@@ -82,11 +82,11 @@ impl<S: Scalar> RemainingRows<S> {
         let roots: Vec<S> = system.terms.iter().map(|term| term.inverse.sqrt()).collect();
         let row = |i: usize| {
             let terms = system.terms.iter().zip(&roots);
-            let own: Vec<S> = terms.map(|(term, &root)| term.t[i] * root).collect();
+            let entries: Vec<S> = terms.map(|(term, &root)| term.t[i] * root).collect();
             let unit = shared.iter().map(|&k| if k == i { S::one() } else { S::zero() });
             let between = shared.iter().map(|&k| repeated(i, k));
-            let left = own.iter().copied().chain(unit).collect();
-            JacobianRow { left, right: own.iter().copied().chain(between).collect() }
+            let left = entries.iter().copied().chain(unit).collect();
+            JacobianRow { left, right: entries.iter().copied().chain(between).collect() }
         };
         let rows: Vec<JacobianRow<S>> = (0..count).map(row).collect();
         let candidates = (0..count).filter(|&k| !rows[k].vanishes()).collect();
@@ -127,11 +127,11 @@ impl<S: Scalar> RemainingRows<S> {
 
     /// Returns weights of the candidates as weights of all rows.
     pub(super) fn scatter(&self, weights: Vec<S>) -> Vec<S> {
-        let mut all = vec![S::zero(); self.unused.len()];
+        let mut weights_of_rows = vec![S::zero(); self.unused.len()];
         for (&row, weight) in self.candidates.iter().zip(weights) {
-            all[row] = weight;
+            weights_of_rows[row] = weight;
         }
-        all
+        weights_of_rows
     }
 
     fn eliminate(
@@ -184,10 +184,10 @@ impl<S: Scalar> ConstraintSystem<S> {
 }
 
 /// Returns weights that are one at the largest value and zero elsewhere, and that value.
-fn largest<S: Scalar>(numbers: &[S]) -> (Vec<S>, S) {
+fn largest<S: Scalar>(values: &[S]) -> (Vec<S>, S) {
     let mut weights = vec![S::one()];
-    let mut best = numbers[0];
-    for &number in &numbers[1..] {
+    let mut best = values[0];
+    for &number in &values[1..] {
         let (is_less, is_more) = (number - best).sides();
         for weight in &mut weights {
             *weight = *weight * is_less;

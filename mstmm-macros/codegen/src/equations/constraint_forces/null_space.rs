@@ -42,21 +42,21 @@ fn null_direction<S: Scalar>(pivots: &[FactorStep<S>], start: Vec<S>) -> Vec<S> 
 /// Returns the first weight that is one, of weights that are zero or one.
 fn first<S: Scalar>(weights: &[S]) -> Vec<S> {
     let mut found = S::zero();
-    let one = |&weight: &S| {
+    let selected = |&weight: &S| {
         let first = weight * (S::one() - found);
         found = found + first;
         first
     };
-    weights.iter().map(one).collect()
+    weights.iter().map(selected).collect()
 }
 
 /// Returns the directions orthonormalised; zero stays zero.
 pub(super) fn orthonormal<S: Scalar>(directions: Vec<Vec<S>>) -> Vec<Vec<S>> {
     let mut units: Vec<Vec<S>> = Vec::new();
     for direction in directions {
-        let own = units.iter().fold(direction, |x, unit| project_out(x, unit));
-        let length = dot(&own, &own).recip_above(S::one()).sqrt();
-        units.push(own.iter().map(|&x| x * length).collect());
+        let rest = units.iter().fold(direction, |x, unit| project_out(x, unit));
+        let length = dot(&rest, &rest).recip_above(S::one()).sqrt();
+        units.push(rest.iter().map(|&x| x * length).collect());
     }
     units
 }

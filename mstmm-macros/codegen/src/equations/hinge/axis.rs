@@ -16,7 +16,7 @@ pub struct Alignment<S> {
 
 impl<S: Scalar> Alignment<S> {
     /// Returns axes aligned with `axis`: the frame's own axes if `axis` is one of them.
-    pub fn with(axis: &[Value; 3], numbers: &SymbolValues<S>) -> Self {
+    pub fn with(axis: &[Value; 3], values: &SymbolValues<S>) -> Self {
         let zero = [0, 1, 2].map(|k| axis[k].is_zero());
         if let Some(k) = (0..3).find(|&k| zero[(k + 1) % 3] && zero[(k + 2) % 3])
             && let Some(length) = axis[k].known()
@@ -26,7 +26,7 @@ impl<S: Scalar> Alignment<S> {
         // For an axis in a coordinate plane, a rotation about the plane's normal keeps most of the
         // matrix zero.
         let k = (0..3).find(|&k| !zero[k] && zero[(k + 2) % 3]).unwrap_or(2);
-        let unit = numbers.unit(axis);
+        let unit = values.unit(axis);
         Alignment { axis: k, is_reversed: false, rotation: basis_along(k, unit) }
     }
 

@@ -18,8 +18,8 @@ pub struct Cylindrical<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
     /// A translation and a rotation.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
-        let along = Alignment::with(self.axis, numbers);
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        let along = Alignment::with(self.axis, values);
         let direction = along.direction();
         HingeGeometry {
             offset: direction * q[0],
@@ -31,8 +31,8 @@ impl<S: Scalar> HingeLaw<S> for Cylindrical<'_> {
         }
     }
 
-    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
-        Alignment::with(self.axis, numbers).rotation
+    fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S> {
+        Alignment::with(self.axis, values).rotation
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {

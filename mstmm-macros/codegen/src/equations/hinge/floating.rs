@@ -15,11 +15,11 @@ pub struct Floating;
 
 impl<S: Scalar> HingeLaw<S> for Floating {
     /// A translation and a rotation, both free: `m = 0` and `q = 0` [P, Eqs. (57), (58)].
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
             offset: Vec3([q[0], q[1], q[2]]),
             columns: columns(),
-            ..Ball.geometry(numbers, &q[3..])
+            ..Ball.geometry(values, &q[3..])
         }
     }
 

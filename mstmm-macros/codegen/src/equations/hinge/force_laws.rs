@@ -25,7 +25,7 @@ pub struct GroupState<'a, S> {
     /// The passive elements along each strain.
     pub passive: &'a [Passive],
     /// The values of the chain's symbols.
-    pub numbers: &'a SymbolValues<S>,
+    pub values: &'a SymbolValues<S>,
     /// The strains.
     pub strains: &'a [S],
     /// The strain rates.
@@ -80,8 +80,8 @@ fn spring<S: Scalar>(
     passive: &Passive,
     k: usize,
 ) -> (LinearizedEffort<S>, S) {
-    let stiffness = state.numbers.scalar(&passive.stiffness);
-    let damping = state.numbers.scalar(&passive.damping);
+    let stiffness = state.values.scalar(&passive.stiffness);
+    let damping = state.values.scalar(&passive.damping);
     let force = stiffness * state.strains[k];
     let effort = -force - damping * state.rates[k];
     (LinearizedEffort { effort, stiffness, damping }, force * state.strains[k] * S::number(0.5))
@@ -94,7 +94,7 @@ fn dry_friction<S: Scalar>(
     k: usize,
 ) -> LinearizedEffort<S> {
     let (effort, speed) =
-        (state.numbers.scalar(&friction.effort), state.numbers.scalar(&friction.speed));
+        (state.values.scalar(&friction.effort), state.values.scalar(&friction.speed));
     let rates = match state.group.representation {
         Representation::Quaternion => state.rates,
         Representation::Numbers | Representation::Angles => &state.rates[k..=k],
@@ -114,7 +114,7 @@ fn dry_friction<S: Scalar>(
 fn stop<S: Scalar>(state: &GroupState<S>, limits: &Limits, k: usize) -> (LinearizedEffort<S>, S) {
     let [low, high, stiffness, damping] =
         [&limits.low, &limits.high, &limits.stiffness, &limits.damping]
-            .map(|value| state.numbers.scalar(value));
+            .map(|value| state.values.scalar(value));
     let coordinate = state.coordinates[k];
     let (above, below) = (coordinate - high, low - coordinate);
     let (over, under) = (above.positive_part(), below.positive_part());
@@ -132,7 +132,7 @@ fn add_cone_stop<S: Scalar>(
     efforts: &mut [LinearizedEffort<S>],
 ) -> S {
     let [high, stiffness, damping] =
-        [&limits.high, &limits.stiffness, &limits.damping].map(|value| state.numbers.scalar(value));
+        [&limits.high, &limits.stiffness, &limits.damping].map(|value| state.values.scalar(value));
     // So small that it only avoids 0/0 at rest, where no stop acts.
     let angle = (dot(state.strains, state.strains) + S::number(1e-30)).sqrt();
     let over = (angle - high).positive_part();

@@ -7,9 +7,9 @@ use crate::math::{Mat3, Scalar};
 /// The law of a kind of hinge. Every kind implements all functions, in this order.
 pub trait HingeLaw<S: Scalar> {
     /// Returns the geometry at coordinates `q`, in aligned axes.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S>;
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S>;
     /// Returns the rotation from aligned axes to the axes of the hinge's frames.
-    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S>;
+    fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S>;
     /// Returns the time derivative of the coordinates at rates `v`.
     fn coordinate_rates(&self, q: &[S], v: &[S]) -> Vec<S>;
     /// Returns the coordinates with quaternions normalised to unit norm.

@@ -34,17 +34,16 @@ pub struct PassiveElements<S> {
 /// k ṡ − (h c + h² k) s̈`. The last term is treated as an inertia.
 pub fn passive_elements<S: Scalar>(
     hinge: &Hinge,
-    numbers: &SymbolValues<S>,
+    values: &SymbolValues<S>,
     q: &[S],
     v: &[S],
     implicit: Option<S>,
 ) -> PassiveElements<S> {
     let strains = hinge.kind.law().strains(q);
     let rates = strain::times(&strains.jacobian, v);
-    let rotor_inertias: Vec<S> =
-        hinge.passive.iter().map(|p| numbers.scalar(&p.armature)).collect();
+    let rotor_inertias: Vec<S> = hinge.passive.iter().map(|p| values.scalar(&p.armature)).collect();
     let mut inertias = rotor_inertias.clone();
-    let (mut efforts, energy) = linearized_efforts(hinge, numbers, q, &rates);
+    let (mut efforts, energy) = linearized_efforts(hinge, values, q, &rates);
     if let Some(h) = implicit {
         for ((along, inertia), &rate) in efforts.iter_mut().zip(&mut inertias).zip(&rates) {
             let step = h * along.stiffness;
@@ -62,21 +61,21 @@ pub fn passive_elements<S: Scalar>(
 /// Returns the effort along each strain, and the energy.
 fn linearized_efforts<S: Scalar>(
     hinge: &Hinge,
-    numbers: &SymbolValues<S>,
+    values: &SymbolValues<S>,
     q: &[S],
     rates: &[S],
 ) -> (Vec<LinearizedEffort<S>>, S) {
     if !hinge.passive.iter().any(Passive::has_effort) {
         return (rates.iter().map(|_| LinearizedEffort::zero()).collect(), S::zero());
     }
-    let rest: Vec<S> = hinge.rest.iter().map(|value| numbers.scalar(value)).collect();
+    let rest: Vec<S> = hinge.rest.iter().map(|value| values.scalar(value)).collect();
     let strains = strains_from_rest(&hinge.kind, &rest, q);
     let (mut efforts, mut energy) = (Vec::new(), S::zero());
     for group in hinge.kind.spec().groups {
         let (along, stored) = group_efforts(&GroupState {
             group,
             passive: &hinge.passive[group.rates.clone()],
-            numbers,
+            values,
             strains: &strains[group.rates.clone()],
             rates: &rates[group.rates.clone()],
             coordinates: &q[group.coordinates.clone()],
@@ -90,9 +89,10 @@ fn linearized_efforts<S: Scalar>(
 impl<S: Scalar> PassiveElements<S> {
     /// Returns the efforts along the rates that accelerate the rotors.
     pub fn rotor_efforts(&self, accelerations: &[S]) -> Vec<S> {
-        let along = strain::times(&self.strains.jacobian, accelerations);
-        let taken: Vec<S> = along.iter().zip(&self.rotor_inertias).map(|(&a, &i)| a * i).collect();
-        strain::transpose_times(&self.strains.jacobian, &taken)
+        let strain_accelerations = strain::times(&self.strains.jacobian, accelerations);
+        let efforts: Vec<S> =
+            strain_accelerations.iter().zip(&self.rotor_inertias).map(|(&a, &i)| a * i).collect();
+        strain::transpose_times(&self.strains.jacobian, &efforts)
     }
 }
 

@@ -17,10 +17,10 @@ pub struct PlaneElastic;
 
 impl<S: Scalar> HingeLaw<S> for PlaneElastic {
     /// Two translations and a rotation.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let (sin, cos) = q[2].sin_cos();
         let offset = [cos * q[0] - sin * q[1], sin * q[0] + cos * q[1]];
-        Planar { normal: 2 }.geometry(numbers, &[offset[0], offset[1], q[2]])
+        Planar { normal: 2 }.geometry(values, &[offset[0], offset[1], q[2]])
     }
 
     fn alignment(&self, _: &SymbolValues<S>) -> Mat3<S> {

@@ -22,10 +22,10 @@ pub struct Screw<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Screw<'_> {
     /// A rotation with its translation, `S = [pitch ζ; ζ]`.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
-        let along = Alignment::with(self.axis, numbers);
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        let along = Alignment::with(self.axis, values);
         let direction = along.direction();
-        let shift = direction * numbers.scalar(self.pitch);
+        let shift = direction * values.scalar(self.pitch);
         HingeGeometry {
             offset: shift * q[0],
             columns: vec![SubspaceColumn::inboard(Motion { linear: shift, angular: direction })],
@@ -33,8 +33,8 @@ impl<S: Scalar> HingeLaw<S> for Screw<'_> {
         }
     }
 
-    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
-        Alignment::with(self.axis, numbers).rotation
+    fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S> {
+        Alignment::with(self.axis, values).rotation
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {

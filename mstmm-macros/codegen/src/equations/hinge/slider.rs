@@ -18,8 +18,8 @@ pub struct Slider<'a> {
 
 impl<S: Scalar> HingeLaw<S> for Slider<'_> {
     /// A translation along the axis.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
-        let along = Alignment::with(self.axis, numbers).direction();
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        let along = Alignment::with(self.axis, values).direction();
         HingeGeometry {
             offset: along * q[0],
             columns: vec![SubspaceColumn::translation(along)],
@@ -27,8 +27,8 @@ impl<S: Scalar> HingeLaw<S> for Slider<'_> {
         }
     }
 
-    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
-        Alignment::with(self.axis, numbers).rotation
+    fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S> {
+        Alignment::with(self.axis, values).rotation
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {

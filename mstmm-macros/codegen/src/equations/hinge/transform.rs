@@ -43,18 +43,19 @@ pub struct ToWorkAxes<S> {
 /// Returns the transform across a hinge.
 pub fn hinge_transform<S: Scalar>(
     kind: &HingeKind,
-    numbers: &SymbolValues<S>,
+    values: &SymbolValues<S>,
     q: &[S],
     reversed: bool,
 ) -> HingeTransform<S> {
-    let geometry = kind.law().geometry(numbers, q);
+    let geometry = kind.law().geometry(values, q);
     if reversed { inward(geometry) } else { outward(geometry) }
 }
 
 fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
-    let of = |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
-    let columns = columns.into_iter().map(of).collect();
+    let oriented =
+        |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
+    let columns = columns.into_iter().map(oriented).collect();
     HingeTransform { rotation, axis_rotation, offset, columns, outboard_offset: None }
 }
 
@@ -63,7 +64,7 @@ fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
 fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
     let back = rotation.transposed() * offset;
-    let of = |d: SubspaceColumn<S>| {
+    let oriented = |d: SubspaceColumn<S>| {
         let to_inboard = if d.on_outboard { -back } else { -offset };
         let motion = d.motion.shifted_to(to_inboard).scaled(-S::one());
         OrientedColumn { on_child: !d.on_outboard, motion }
@@ -72,7 +73,7 @@ fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
         rotation: rotation.transposed(),
         axis_rotation: axis_rotation.map(AxisRotation::inverse),
         offset: -back,
-        columns: columns.into_iter().map(of).collect(),
+        columns: columns.into_iter().map(oriented).collect(),
         outboard_offset: Some(offset),
     }
 }
@@ -89,10 +90,10 @@ impl<S: Scalar> HingeTransform<S> {
 
     /// Returns the motion subspace `S` in work axes.
     pub fn subspace(&self, axes: &ToWorkAxes<S>) -> Vec<Motion<S>> {
-        let of = |d: &OrientedColumn<S>| {
+        let oriented = |d: &OrientedColumn<S>| {
             d.motion.rotated(if d.on_child { axes.child_to_work } else { axes.parent_to_work })
         };
-        self.columns.iter().map(of).collect()
+        self.columns.iter().map(oriented).collect()
     }
 
     /// Returns the bias acceleration `Ṡ v` of the hinge relative to the parent, work axes.

@@ -21,9 +21,9 @@ pub struct Universal<'a> {
 impl<S: Scalar> HingeLaw<S> for Universal<'_> {
     /// Two rotations, each about an axis fixed on its side; the first also rotates the axis of the
     /// second.
-    fn geometry(&self, numbers: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
-        let outboard = Alignment::with(&self.axes[1], numbers);
-        let first = inboard_axis(&self.axes[0], &outboard, numbers);
+    fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
+        let outboard = Alignment::with(&self.axes[1], values);
+        let first = inboard_axis(&self.axes[0], &outboard, values);
         let rotation = first_rotation(first, q[0].sin_cos()) * outboard.rotation_by(q[1]).matrix();
         HingeGeometry {
             rotation,
@@ -35,8 +35,8 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
         }
     }
 
-    fn alignment(&self, numbers: &SymbolValues<S>) -> Mat3<S> {
-        Alignment::with(&self.axes[1], numbers).rotation
+    fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S> {
+        Alignment::with(&self.axes[1], values).rotation
     }
 
     fn coordinate_rates(&self, _: &[S], v: &[S]) -> Vec<S> {
@@ -56,9 +56,9 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
 fn inboard_axis<S: Scalar>(
     axis: &[Value; 3],
     outboard: &Alignment<S>,
-    numbers: &SymbolValues<S>,
+    values: &SymbolValues<S>,
 ) -> Vec3<S> {
-    outboard.rotation.transposed() * numbers.unit(axis)
+    outboard.rotation.transposed() * values.unit(axis)
 }
 
 fn first_rotation<S: Scalar>(axis: Vec3<S>, angle: (S, S)) -> Mat3<S> {

@@ -102,13 +102,13 @@ pub fn hinge_kinematics<S: Scalar>(
     (index, reversed): (HingeId, bool),
     parent: &PartKinematics<S>,
 ) -> HingeKinematics<S> {
-    let numbers = context.numbers;
+    let values = context.values;
     let hinge = &context.chain.hinges[index];
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
     let (_, from_origin, from_rotation) = context.place(from);
     let (q, v) = (context.coordinates(index), context.rates(index));
-    let transform = hinge::hinge_transform(&hinge.kind, numbers, q, reversed);
-    let alignment = hinge.kind.law().alignment(numbers);
+    let transform = hinge::hinge_transform(&hinge.kind, values, q, reversed);
+    let alignment = hinge.kind.law().alignment(values);
     let &PartKinematics { part_to_work, point, omega } = parent;
     let from_parent_side = part_to_work * (from_rotation * alignment);
     let of_child = ToWorkAxes {
@@ -133,7 +133,7 @@ pub fn hinge_kinematics<S: Scalar>(
     let mut in_hinge =
         hinge_bias + coriolis_acceleration(to_parent.rotate_back(omega), relative_velocity);
     let on_parent = arm.centripetal_by_products(omega);
-    let passives = hinge::passive_elements(hinge, numbers, q, v, context.implicit);
+    let passives = hinge::passive_elements(hinge, values, q, v, context.implicit);
     let basis = match context.prescribed_accelerations(index) {
         Some(accelerations) => {
             in_hinge = in_hinge + hinge::combine(subspace.iter(), accelerations);

@@ -145,7 +145,7 @@ fn link_kinematics<S: Scalar>(
     let hinge = hinge_kinematics(context, axes, (link.hinge, link.reversed), parent);
     let (_, to) = attachments(context.chain, link);
     let (_, point, rotation) = context.place(to);
-    let alignment = context.chain.hinges[link.hinge].kind.law().alignment(context.numbers);
+    let alignment = context.chain.hinges[link.hinge].kind.law().alignment(context.values);
     let part_to_work = hinge.child_to_work * (rotation * alignment).transposed();
     let carried = hinge.to_parent.rotate_back(parent.omega);
     let rigid = rigid_inertia(context, link, to, point);
@@ -168,24 +168,24 @@ fn rigid_inertia<S: Scalar>(
     to: &Attachment,
     point: Vec3<S>,
 ) -> RigidInertia<S> {
-    let numbers = context.numbers;
-    let mut all = RigidInertia::zero();
+    let values = context.values;
+    let mut total = RigidInertia::zero();
     for &member in &link.members {
         let body = &context.chain.bodies[member];
         let (origin, rotation) = context.frame(member);
         // The point in the frame of the member.
         let seen = rotation.transposed() * (point - origin);
-        let mass = numbers.scalar(&body.mass);
+        let mass = values.scalar(&body.mass);
         let inertia = match to {
-            Attachment::Input(input) if *input == member => numbers.inertia_about_input(body),
-            _ => numbers.inertia_about(body, seen),
+            Attachment::Input(input) if *input == member => values.inertia_about_input(body),
+            _ => values.inertia_about(body, seen),
         };
-        all.mass = all.mass + mass;
-        all.first_moment =
-            all.first_moment + rotation * ((numbers.vector(&body.com) - seen) * mass);
-        all.inertia = all.inertia + rotation.rotate_tensor(inertia);
+        total.mass = total.mass + mass;
+        total.first_moment =
+            total.first_moment + rotation * ((values.vector(&body.com) - seen) * mass);
+        total.inertia = total.inertia + rotation.rotate_tensor(inertia);
     }
-    all
+    total
 }
 
 /// Returns the attachments of a link's hinge: the parent's, then the child's.

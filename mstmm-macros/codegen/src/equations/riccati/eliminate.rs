@@ -44,12 +44,12 @@ pub fn eliminate<S: Scalar>(
     dofs: &[HingeDof<S>],
 ) -> Vec<EliminatedDof<S>> {
     let mut before = None;
-    let mut one = |(number, dof): (usize, &HingeDof<S>)| {
+    let mut eliminate_next = |(number, dof): (usize, &HingeDof<S>)| {
         let is_last = number + 1 == dofs.len();
         let first = before.replace((*dof, body.inertia)).filter(|_| is_last);
         eliminate_one(body, dof, first.as_ref())
     };
-    dofs.iter().enumerate().map(&mut one).collect()
+    dofs.iter().enumerate().map(&mut eliminate_next).collect()
 }
 
 /// Eliminates one degree of freedom by equations (1), (2) and (4). For the last one, equation (6)

@@ -60,7 +60,7 @@ pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>)
     };
     let nothing = SpatialInertia::from_fn(|_, _| S::zero());
     let ground = ArticulatedBody::new(nothing, Wrench::zero());
-    let (records, ground) = problem.tree.inward(own(problem), ground, step);
+    let (records, ground) = problem.tree.inward(own_bodies(problem), ground, step);
     let pivots = records.iter().rev().flat_map(|(_, pivots, _)| pivots.iter().copied()).collect();
     let affine_wrenches = if strategy::keeps_affine_wrenches(problem.loop_constraints.is_some()) {
         records.iter().map(|&(.., wrench)| wrench).collect()
@@ -73,25 +73,27 @@ pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>)
 
 /// Returns the articulated bodies before the sweep: the links' own parts, with the constraint
 /// wrenches of the loop hinge at its inboard link.
-fn own<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
-    let of = |(link, &bias_force): (LinkId, &Wrench<S>)| {
+fn own_bodies<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<S>> {
+    let body = |(link, &bias_force): (LinkId, &Wrench<S>)| {
         let inertia = problem.inertia(link);
         ArticulatedBody {
             pivot_scales: problem.pivot_scales(link),
             ..ArticulatedBody::new(inertia, bias_force)
         }
     };
-    let mut all: PerLink<ArticulatedBody<S>> = problem.bias_forces.enumerate().map(of).collect();
+    let mut bodies: PerLink<ArticulatedBody<S>> =
+        problem.bias_forces.enumerate().map(body).collect();
     if let (Some(constraints), Some((link, wrenches))) =
         (&problem.loop_constraints, problem.constraint_wrenches())
     {
         let hinge = &constraints.loop_hinge.hinge;
-        all[link].bias_force = all[link].bias_force + hinge.wrench_to_parent(constraints.applied);
-        all[link].loop_sums = Some(LoopSums::new(wrenches.len()));
-        all[link].constraint_wrenches = wrenches;
-        all[link].squared_arms = hinge.arm.dot(hinge.arm);
+        bodies[link].bias_force =
+            bodies[link].bias_force + hinge.wrench_to_parent(constraints.applied);
+        bodies[link].loop_sums = Some(LoopSums::new(wrenches.len()));
+        bodies[link].constraint_wrenches = wrenches;
+        bodies[link].squared_arms = hinge.arm.dot(hinge.arm);
     }
-    all
+    bodies
 }
 
 /// Returns the degrees of freedom of a hinge.
@@ -111,11 +113,11 @@ fn pivots<S: Scalar>(
     steps: &[EliminatedDof<S>],
 ) -> Vec<HingePivot<S>> {
     let (mass, moment) = body.pivot_scales;
-    let of = |(dof, step): (&HingeDof<S>, &EliminatedDof<S>)| {
+    let pivot = |(dof, step): (&HingeDof<S>, &EliminatedDof<S>)| {
         let scale = dof.direction.pivot_scale(mass, moment) + dof.armature;
         HingePivot { link, value: step.pivot, scale }
     };
-    dofs.iter().zip(steps).map(of).collect()
+    dofs.iter().zip(steps).map(pivot).collect()
 }
 
 fn record<S: Scalar>(

@@ -68,8 +68,8 @@ impl<S: Scalar> LoopSums<S> {
         }
     }
 
-    /// Adds the acceleration that the ground gives to the point of a root, to `γ`: part of equation
-    /// (5).
+    /// Adds the acceleration that the ground gives to the point of a root, to `γ`: part
+    /// of equation (5).
     pub fn with_base_acceleration(mut self, a: Motion<S>, wrenches: &[Wrench<S>]) -> Self {
         for (gamma, wrench) in self.gamma.iter_mut().zip(wrenches) {
             *gamma = *gamma + a.power(*wrench);
