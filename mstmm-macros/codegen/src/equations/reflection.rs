@@ -108,7 +108,7 @@ mod tests {
     use super::Reflection;
 
     #[test]
-    fn what_is_left_satisfies_the_condition_for_every_choice() {
+    fn the_condition_holds_for_all_remaining_unknowns() {
         let c = [0.3, -2.0, 1e-9, 4.0];
         let reflection = Reflection::of(&c);
         for y in [[0.0, 0.0, 0.0], [1.0, -2.0, 3.0], [-0.1, 7.0, 0.4]] {

@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn on_plain_numbers_nothing_happens_at_boundaries() {
+    fn boundaries_do_not_change_plain_numbers() {
         let layout = layout();
         let tree: LinkTree<f64> = LinkTree::new(&layout);
         assert_eq!(tree.total(0.0, |_, sum| sum + 1.0), 5.0);

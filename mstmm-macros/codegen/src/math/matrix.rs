@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn turning_about_principal_axes_is_turning_about_any() {
+    fn diagonal_inertias_agree_with_the_general_formulas() {
         let omega = Vec3([0.7, -1.3, 2.1]);
         for inertia in [Sym3::diagonal([0.3, 1.9, 1.1]), Sym3([0.3, 1.9, 1.1, 0.2, -0.4, 0.1])] {
             let spin = inertia.full() * omega;
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turned_tensor_is_the_product_of_three_matrices() {
+    fn a_rotated_tensor_is_the_product_of_three_matrices() {
         let tensor = Sym3([1.0, 4.0, -3.0, 0.5, -1.5, 2.0]);
         // A full matrix, and a matrix with zeros: a rotation about one axis.
         for quaternion in [[0.1, 0.5, 0.7, 0.5], [0.6, 0.0, 0.8, 0.0]] {
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_falls_inwards_by_either_formula() {
+    fn both_centripetal_formulas_agree() {
         let (point, omega) = (Vec3([0.4, -0.9, 1.7]), Vec3([0.7, -1.3, 2.1]));
         let (one, other) = (point.centripetal(omega), point.centripetal_by_products(omega));
         (0..3).for_each(|k| assert_near(one[k], other[k]));

@@ -56,20 +56,20 @@ impl<S: Scalar> AxisRotation<S> {
         let (p, q, r, t) = (tensor[i][i], tensor[i][j], tensor[j][i], tensor[j][j]);
         let w = sin * (p - t) + cos * (q + r);
         let (sw, cw) = (sin * w, cos * w);
-        let mut turned = tensor;
-        (turned.0[i][i], turned.0[i][j]) = (p - sw, cw - r);
-        (turned.0[j][i], turned.0[j][j]) = (cw - q, t + sw);
-        turned.0[i][k] = cos * tensor[i][k] - sin * tensor[j][k];
-        turned.0[j][k] = sin * tensor[i][k] + cos * tensor[j][k];
-        turned.0[k][i] = cos * tensor[k][i] - sin * tensor[k][j];
-        turned.0[k][j] = sin * tensor[k][i] + cos * tensor[k][j];
-        turned
+        let mut rotated = tensor;
+        (rotated.0[i][i], rotated.0[i][j]) = (p - sw, cw - r);
+        (rotated.0[j][i], rotated.0[j][j]) = (cw - q, t + sw);
+        rotated.0[i][k] = cos * tensor[i][k] - sin * tensor[j][k];
+        rotated.0[j][k] = sin * tensor[i][k] + cos * tensor[j][k];
+        rotated.0[k][i] = cos * tensor[k][i] - sin * tensor[k][j];
+        rotated.0[k][j] = sin * tensor[k][i] + cos * tensor[k][j];
+        rotated
     }
 
     /// Returns `R A Rᵀ` of a symmetric tensor, `q = r`.
     pub(super) fn rotate_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
-        let turned = self.rotate_tensor(tensor.full());
-        Sym3::from_fn(|i, j| turned[i][j])
+        let rotated = self.rotate_tensor(tensor.full());
+        Sym3::from_fn(|i, j| rotated[i][j])
     }
 
     /// Returns `R A Rᵀ` of a symmetric tensor with entries in the plane of the rotation:
@@ -87,10 +87,10 @@ impl<S: Scalar> AxisRotation<S> {
         let (square, product) = (sin * sin, sin * cos);
         let w = t + square * (p - t) + (product + product) * q;
         let across = (S::one() - (square + square)) * q + product * (p - t);
-        let mut turned = tensor.full();
-        (turned.0[i][i], turned.0[j][j]) = (p + t - w, w);
-        (turned.0[i][j], turned.0[j][i]) = (across, across);
-        Sym3::from_fn(|i, j| turned[i][j])
+        let mut rotated = tensor.full();
+        (rotated.0[i][i], rotated.0[j][j]) = (p + t - w, w);
+        (rotated.0[i][j], rotated.0[j][i]) = (across, across);
+        Sym3::from_fn(|i, j| rotated[i][j])
     }
 }
 
@@ -101,13 +101,13 @@ impl<S: Scalar> Rotation<S> {
     }
 
     /// Returns the rotation `mount · step`. Tensors are rotated in these two steps.
-    pub fn from_steps(mount: Mat3<S>, turn: AxisRotation<S>) -> Self {
-        Rotation { matrix: mount * turn.matrix(), steps: Some((turn, mount)) }
+    pub fn from_steps(mount: Mat3<S>, step: AxisRotation<S>) -> Self {
+        Rotation { matrix: mount * step.matrix(), steps: Some((step, mount)) }
     }
 
     /// Returns the axis of the first step, for a rotation in two steps.
     pub fn axis(&self) -> Option<usize> {
-        self.steps.map(|(turn, _)| turn.axis)
+        self.steps.map(|(step, _)| step.axis)
     }
 
     /// Returns the rotation matrix.
@@ -131,14 +131,14 @@ mod tests {
     use super::{AxisRotation, Mat3, Sym3};
 
     #[test]
-    fn a_turned_tensor_is_the_product_of_three_matrices() {
+    fn a_rotated_tensor_is_the_product_of_three_matrices() {
         let tensor = Mat3([[1.0, -2.0, 3.0], [0.5, 4.0, -1.5], [2.5, 0.25, -3.0]]);
         for axis in 0..3 {
             let (sin, cos) = 0.7_f64.sin_cos();
-            let turn = AxisRotation { axis, sin, cos };
-            let rotation = turn.matrix();
+            let step = AxisRotation { axis, sin, cos };
+            let rotation = step.matrix();
             let (fast, plain) =
-                (turn.rotate_tensor(tensor), rotation * tensor * rotation.transposed());
+                (step.rotate_tensor(tensor), rotation * tensor * rotation.transposed());
             for (a, b) in fast.0.concat().iter().zip(plain.0.concat()) {
                 // Entries up to 8, a dozen roundings.
                 assert!((a - b).abs() < 8.0 * 12.0 * f64::EPSILON, "{a} {b}");
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turned_tensor_of_the_plane_is_the_same_by_either_formula() {
+    fn both_formulas_rotate_a_tensor_in_the_plane_alike() {
         let tensor = Sym3([1.0, -4.0, 3.0, 0.0, 0.0, 2.5]);
         let (sin, cos) = 2.3_f64.sin_cos();
         for axis in 0..3 {
@@ -159,8 +159,8 @@ mod tests {
                     0.0
                 }
             });
-            let turn = AxisRotation { axis, sin, cos };
-            let (one, other) = (turn.rotate_in_plane(tensor), turn.rotate_symmetric(tensor));
+            let step = AxisRotation { axis, sin, cos };
+            let (one, other) = (step.rotate_in_plane(tensor), step.rotate_symmetric(tensor));
             for (a, b) in one.0.iter().zip(other.0) {
                 // Entries up to 8, a dozen roundings.
                 assert!((a - b).abs() < 8.0 * 12.0 * f64::EPSILON, "{a} {b}");

@@ -238,7 +238,7 @@ impl<S: Scalar> Rotation<S> {
         formula: PlaneFormula,
     ) -> SpatialInertia<S> {
         match &self.steps {
-            Some((turn, mount)) => turn.rotate_inertia(inertia, formula).rotated(*mount),
+            Some((step, mount)) => step.rotate_inertia(inertia, formula).rotated(*mount),
             None => inertia.rotated(self.matrix()),
         }
     }

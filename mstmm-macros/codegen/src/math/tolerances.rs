@@ -14,7 +14,7 @@ mod tests {
     use mstmm_runtime::generated;
 
     #[test]
-    fn the_runtime_judges_by_the_same_numbers() {
+    fn the_runtime_has_the_same_tolerances() {
         assert_eq!(
             (super::PIVOT_ULPS, super::RANK_ULPS),
             (generated::PIVOT_ULPS, generated::RANK_ULPS)

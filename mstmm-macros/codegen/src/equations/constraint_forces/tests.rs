@@ -1,10 +1,9 @@
 use super::{ConstraintForces, ConstraintRank, ConstraintSystem, DelassusTerm, Rank, Trace, solve};
 
-/// The same system in three ways: degrees of freedom that are kept, that repeated parts have added
-/// up, and some of both.
+/// Three forms of the same system: separate terms only, terms of repeated parts only, and both.
 const KEPT: [fn(usize) -> bool; 3] = [|_| true, |_| false, |number| number % 2 == 0];
 
-/// Condition numbers are below 1e4 in these tests; a solution takes some hundred operations.
+/// Condition numbers are below 1e4 in these tests; a solution needs some hundred operations.
 const TOLERANCE: f64 = 1e4 * 100.0 * f64::EPSILON;
 
 fn product<const N: usize>(vectors: &[[f64; N]], x: &[f64]) -> Vec<f64> {
@@ -12,7 +11,7 @@ fn product<const N: usize>(vectors: &[[f64; N]], x: &[f64]) -> Vec<f64> {
     (0..N).map(|i| vectors.iter().map(|v| v[i] * along(v)).sum()).collect()
 }
 
-/// `Σ v vᵀ λ = b`
+/// Solves `Σ v vᵀ λ = b`.
 fn solved<const N: usize>(
     vectors: &[[f64; N]],
     keep: fn(usize) -> bool,
@@ -23,7 +22,7 @@ fn solved<const N: usize>(
         let some = vectors.iter().enumerate().filter(move |(number, _)| keep(*number) == kept);
         some.map(|(_, v)| v)
     };
-    // Other vectors of the same products.
+    // Different vectors with the same products.
     let dof = |v: &[f64; N]| DelassusTerm { t: v.iter().map(|x| x * 2.0).collect(), inverse: 0.25 };
     let entry = |i: usize, j: usize| of(false).map(|v| v[i] * v[j]).sum();
     let system = ConstraintSystem {
@@ -60,12 +59,12 @@ fn a_regular_system_is_solved_and_nothing_is_undetermined() {
 /// Rank two: the third and fourth rows are combinations of the first two.
 const TWO: [[f64; 4]; 2] = [[1.0, 2.0, 3.0, -1.0], [0.0, 1.0, 1.0, 2.0]];
 
-/// A combination of vectors has no part along the null directions.
+/// Returns a combination of the vectors, which has no component along the null directions.
 fn combination(vectors: &[[f64; 4]; 2]) -> Vec<f64> {
     (0..4).map(|k| 0.7 * vectors[0][k] - 1.3 * vectors[1][k]).collect()
 }
 
-/// A row that depends on others in one pose only, as in the straight pose of a parallelogram.
+/// A row that depends on others in one pose only, such as the straight pose of a parallelogram.
 #[test]
 fn a_regular_system_may_be_singular() {
     let x = combination(&TWO);
@@ -78,7 +77,7 @@ fn a_regular_system_may_be_singular() {
 }
 
 #[test]
-fn of_all_solutions_the_shortest_is_found_with_and_without_a_given_rank() {
+fn the_least_norm_solution_is_found_with_and_without_a_given_rank() {
     let x = combination(&TWO);
     let ranks =
         [Rank::Known(2), Rank::AtRunTime(vec![1.0, 1.0, 0.0, 0.0]), Rank::AtRunTime(vec![1.0; 4])];
@@ -96,10 +95,10 @@ fn of_all_solutions_the_shortest_is_found_with_and_without_a_given_rank() {
     }
 }
 
-/// In front of rows that determine everything one nearly vanishes, down to rounding and below:
-/// taken first, its pivot would make rounding of what is left seem more than that.
+/// One row nearly vanishes, down to the rounding error and below. If it were selected first, the
+/// rounding errors of the other rows would look larger than they are.
 #[test]
-fn a_row_that_nearly_vanishes_spoils_nothing() {
+fn a_row_that_nearly_vanishes_does_no_harm() {
     for (keep, exponent) in KEPT.into_iter().flat_map(|keep| (0..20).map(move |e| (keep, e))) {
         let size = 10.0_f64.powi(-exponent);
         let vectors = TWO.map(|v| [v[0] * size, v[1], v[2], v[3]]);
@@ -111,27 +110,28 @@ fn a_row_that_nearly_vanishes_spoils_nothing() {
     }
 }
 
-/// Two rows that nearly depend on each other. Rows that are kept show singular values down to 1e-7
-/// of the largest; squares of the rows would not.
+/// Two nearly dependent rows. Separate terms resolve singular values down to 1e-7 of the largest;
+/// the squares of the rows would not.
 #[test]
-fn small_singular_values_are_no_rounding() {
+fn small_singular_values_are_resolved() {
     for exponent in 0..8 {
         let part = 10.0_f64.powi(-exponent);
         let vectors = [[1.0, 1.0, 0.5], [part, -part, 0.25 * part]];
         let x: Vec<f64> = (0..3).map(|k| vectors[0][k] - 1.5 * vectors[1][k] / part).collect();
         let closure = solved(&vectors, KEPT[0], product(&vectors, &x), Rank::Known(2));
         let off = largest_difference(&closure.reactions, &x);
-        // Of the right side the part along the second vector is smaller by the square of that part.
+        // The component of the right side along the second vector is smaller by the square of
+        // `part`.
         assert!(off < 100.0 * f64::EPSILON / (part * part), "{part:e}: {off:e}");
         assert_eq!(directions(&closure).len(), 1, "{part:e}");
     }
 }
 
-/// With a right side that no reactions fit, the best fit is that of its part which some do.
+/// A right side that no constraint forces fit. The best fit ignores the inconsistent component.
 #[test]
-fn what_cannot_be_fitted_makes_no_difference() {
+fn the_inconsistent_part_of_the_right_side_has_no_effect() {
     let x = combination(&TWO);
-    // Across both vectors.
+    // Orthogonal to both vectors.
     let across = [-1.0, -1.0, 1.0, 0.0];
     assert!(product(&TWO, &across).iter().all(|&x| x == 0.0));
     for keep in KEPT {

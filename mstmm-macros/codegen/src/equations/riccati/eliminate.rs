@@ -140,7 +140,7 @@ pub mod tests {
     /// Without exact zeros, rounding errors leak back into the angular block at every ball and grow
     /// from ball to ball until no digit is left.
     #[test]
-    fn what_a_ball_lets_go_is_exactly_zero() {
+    fn eliminated_ball_entries_are_exactly_zero() {
         let mut body = articulated_body();
         let dof = |(k, effort): (usize, f64)| {
             let (effort, armature) = (some(effort), Structured::zero());

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_recovered_fulfils_the_conditions_of_all_directions() {
+    fn the_outward_sweep_satisfies_all_hinge_conditions() {
         check(&[5], &[0.0]);
         check(&[3, 4, 5], &[0.0, 0.0, 0.0]);
         check(&[4, 5], &[0.0, 0.0]);
