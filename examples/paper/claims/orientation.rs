@@ -1,6 +1,6 @@
 //! An orientation up to θ₂ = 89.98°, in Bryan angles and in quaternions.
 //!
-//! The cube of section 4.1 hangs on a ball and swings under gravity along −z: at θ₂ = 90° it points
+//! The cube of section 4.1 swings on a ball under gravity along −z: at θ₂ = 90° it points
 //! straight down. It starts level with a small angular velocity about z, so that it just misses 90°.
 
 mod bryan;

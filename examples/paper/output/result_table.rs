@@ -1,4 +1,4 @@
-//! Tables of computed values beside published or known ones.
+//! Tables of computed values, with published or known ones for comparison.
 
 use std::fmt::{self, Display, Formatter};
 

@@ -78,7 +78,7 @@ impl TimeFigure {
         root.fill(&WHITE)?;
         let (header, below) = root.split_vertically(figure_header::height(legend) * FINE);
         figure_header::draw(&header, self.title, legend)?;
-        // Each curve has a colour of its own, so that the panels share one legend.
+        // Each curve has a different colour, so that the panels share one legend.
         let mut colours = COLOURS.iter().cycle();
         for (panel, area) in self.panels.iter().zip(below.split_evenly((self.panels.len(), 1))) {
             panel.draw(&area, self.end, &mut colours)?;

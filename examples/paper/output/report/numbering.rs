@@ -15,7 +15,7 @@ pub struct Entry {
     pub section: Section,
     /// The target of links.
     pub id: String,
-    /// "Figure S1"; S as in supplement, because the paper has figures of its own.
+    /// "Figure S1"; S as in supplement, because the paper has its own figures.
     pub label: String,
     pub title: String,
     /// The file of a figure.
