@@ -160,17 +160,17 @@ impl DryRun {
         let floats = self.chain.bodies.iter().any(|body| body.name == *name);
         if floats {
             return format!(
-                "what floats with body `{name}` has no inertia about one of its axes: \
-                 give it a moment of inertia there"
+                "the bodies that float with `{name}` have no inertia about one of their axes: \
+                 give one of them a moment of inertia about it"
             );
         }
         let turns = match hinge.kind.dof_count() {
-            1 => "turns nothing that has inertia about its axis",
-            _ => "turns something about an axis about which it has no inertia",
+            1 => "its axis",
+            _ => "one of its axes",
         };
         format!(
-            "hinge `{name}` {turns}: \
-             give what it turns a moment of inertia, or the hinge an `armature`"
+            "the bodies that hinge `{name}` moves have no inertia about {turns}: give one of \
+             them a moment of inertia about it, or the hinge an `armature`"
         )
     }
 
@@ -181,8 +181,8 @@ impl DryRun {
         let Some(closing) = closing.filter(|_| !driven) else { return };
         let freedoms = self.merged.dof_count();
         let message = format!(
-            "held at both ends this chain cannot move: its hinges have {freedoms} freedoms, and \
-             closing it here takes as many; free a hinge more, or leave an end free"
+            "this closed chain cannot move: its loop constraints remove all degrees of freedom \
+             of its hinges ({freedoms}); add a hinge or an axis, or leave one end free"
         );
         diagnostics.error(closing.name.span(), message);
     }

@@ -18,13 +18,18 @@ pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics:
             [Some(part)] if chain.repeats[part].count == times => continue,
             [Some(part)] => {
                 let count = chain.repeats[part].count;
-                format!("`{name}` has {times} numbers for a part that is repeated {count} times")
+                format!(
+                    "`{name}` has {times} values, but its part is repeated {count} times: \
+                         write the same count in both"
+                )
             }
             [None] => format!(
-                "`{name}` has {times} numbers: only a part that is repeated as often can use it"
+                "`{name}` has {times} values: only a part that is repeated as many times can use \
+                 it"
             ),
             _ => format!(
-                "`{name}` has a number for every time of one repeated part, and is used elsewhere too"
+                "`{name}` has one value for each repetition of a part, and is used elsewhere \
+                 too: write a separate parameter for the other uses"
             ),
         };
         diagnostics.error(name.span(), message);

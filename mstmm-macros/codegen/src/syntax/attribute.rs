@@ -25,7 +25,7 @@ fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
 pub(super) fn docs(input: &mut Cursor) -> Result<()> {
     let attributes = attributes(input).inspect_err(|_| skip_comment(input))?;
     match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
-        Some(other) => Err(Error::new_spanned(other, "only doc comments may stand here")),
+        Some(other) => Err(Error::new_spanned(other, "only doc comments are allowed here")),
         None => Ok(()),
     }
 }
@@ -49,7 +49,7 @@ pub(super) fn of_chain(input: &mut Cursor) -> Result<Vec<Attribute>> {
     };
     match attributes.iter().find(conditional) {
         Some(cfg) => {
-            let message = "put the condition before `mstmm_chain!`, not inside";
+            let message = "write the `cfg` before `mstmm_chain!`, not inside";
             Err(Error::new_spanned(cfg, message))
         }
         None => Ok(attributes),

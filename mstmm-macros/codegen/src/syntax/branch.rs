@@ -23,8 +23,8 @@ const ITEMS: &[(&str, &str)] = &[
 ];
 
 /// What is said where a loop is to close otherwise than the language can.
-const LOOPS: &str = "a chain closes by a route that ends as it began, `ground -> … -> ground at \
-                     […]`: a loop over a body is held by two loads with `force = input`";
+const LOOPS: &str = "a closed chain is a route that ends as it began, `ground -> … -> ground at \
+                     […]`; for a loop between two bodies write two loads with `force = input`";
 
 /// What is said of an item that begins with this word.
 pub(super) fn item(word: &Ident) -> Option<&'static str> {

@@ -128,7 +128,7 @@ fn no_chain(input: &Cursor) -> Error {
         return input.unexpected("`chain`");
     }
     let hint = did_you_mean(&word, DIMENSIONS.iter().map(|(known, _)| *known));
-    let message = format!("before `chain` stands `space`, `plane`, `line` or nothing{hint}");
+    let message = format!("expected `space`, `plane`, `line` or nothing before `chain`{hint}");
     Error::new(input.next_span(), message)
 }
 
@@ -170,7 +170,7 @@ fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
     let message = if ahead.word("ground").is_some() {
-        "where the ground is stands on the route: `ground at [x, y, z] turned …`"
+        "write the position of the ground on the route: `ground at [x, y, z] turned …`"
     } else {
         ahead.word("moving")?;
         ahead.ident()?;
@@ -188,7 +188,7 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     ahead.ident().filter(|_| !ahead.peek_pair('=', '>'))?;
     ahead.punct('=').filter(|_| lookahead::is_clearly_route(&ahead))?;
     *input = ahead;
-    Some((at, "the route stands alone: `ground -> …`"))
+    Some((at, "the route has no name: write only `ground -> …`"))
 }
 
 /// The word of a block, if one is next.
@@ -253,7 +253,7 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
         }
         None => None,
         Some((mut inside, _)) => {
-            let times = number::count("the count of a parameter", &mut inside).flatten();
+            let times = number::count("a parameter count", &mut inside).flatten();
             let times = times.and_then(|times| inside.check_empty("`]`").map(|()| times));
             Some(times.unwrap_or_else(|error| {
                 diagnostics.push(error);
@@ -313,7 +313,11 @@ fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnost
     }
     let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
     let hint = near.map_or_else(
-        || "there are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, `hinge`, `load` and `spring`".to_owned(),
+        || {
+            "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, \
+            `hinge`, `load` and `spring`"
+                .to_owned()
+        },
         |near| format!("did you mean `{near}`?"),
     );
     let message = format!("unknown item `{word}`; {hint}");

@@ -119,7 +119,7 @@ impl<'a> Cursor<'a> {
         if self.depth <= DEEPEST {
             return Ok(());
         }
-        Err(Error::new(self.last, format!("more than {DEEPEST} groups within each other")))
+        Err(Error::new(self.last, format!("more than {DEEPEST} nested groups")))
     }
 
     /// Refuses what is left in this group.

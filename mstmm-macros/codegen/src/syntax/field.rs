@@ -129,7 +129,7 @@ impl Ends {
         let mut behind = *input;
         if let Some(at) = behind.punct(',') {
             if behind.literal().is_some() && is_literal(value) {
-                diagnostics.error(at, "decimals are written with a point");
+                diagnostics.error(at, "write decimals with a point");
                 self.skip(input);
                 return false;
             }

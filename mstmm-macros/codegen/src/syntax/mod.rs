@@ -36,7 +36,7 @@ use crate::diag::Diagnostics;
 /// Reads all chains of one macro call. What could be read comes back, mistakes or not.
 pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyntax> {
     if let Some(at) = too_deep(&tokens) {
-        diagnostics.error(at, format!("more than {DEEPEST} groups within each other"));
+        diagnostics.error(at, format!("more than {DEEPEST} nested groups"));
         return Vec::new();
     }
     let buffer = TokenBuffer::new2(tokens);
@@ -84,7 +84,7 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
         let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
         if let Some((name, other)) = clash {
             let message = match *other == chain.name {
-                true => format!("two chains are called `{name}`"),
+                true => format!("two chains have the name `{name}`"),
                 false => format!("chains `{other}` and `{}` both have a type `{name}`", chain.name),
             };
             diagnostics.error(chain.name.span(), message);

@@ -17,10 +17,10 @@ const LONGEST_LITERAL: usize = 100;
 const MOST_TIMES: usize = 10_000_000;
 
 /// What is said of powers as other languages write them.
-const POWERS: &str = "powers are written `^`";
+const POWERS: &str = "write powers with `^`";
 
 /// What is said of numbers that stand in front of a vector or behind it.
-pub(super) const INSIDE: &str = "signs and factors go inside the brackets";
+pub(super) const INSIDE: &str = "write signs and factors inside the brackets";
 
 /// The words that forms begin with.
 pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
@@ -109,7 +109,7 @@ fn check_closed(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     let unit = unit.text();
     Err(Error::new(
         input.next_span(),
-        format!("a unit closes a product: write `(… {unit}) {sign} …` to go on after it"),
+        format!("a unit ends a product: write `(… {unit}) {sign} …` to continue it"),
     ))
 }
 
@@ -144,7 +144,7 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
         if let Some((mut inside, extent)) = input.group(delimiter) {
             let expr = number(&mut inside)?;
             if inside.peek_punct(',') {
-                return Err(Error::new(extent.first, "vectors are written `[x, y, z]`"));
+                return Err(Error::new(extent.first, "write vectors as `[x, y, z]`"));
             }
             inside.check_empty("an operator or `)`")?;
             return Ok((ExprSyntax { extent, ..expr }, None));
@@ -199,13 +199,13 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
 /// How many there are of what is asked for: what is no number in its place is an error, a wrong
 /// number only the other one.
 pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
-    let number = || input.unexpected(&format!("{asked}, a number"));
+    let number = || input.unexpected(asked);
     let Some(literal) = input.clone().literal() else { return Err(number()) };
     input.any();
     let count = literal.to_string().replace('_', "").parse::<usize>();
     let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
     Ok(known.ok_or_else(|| {
-        let message = format!("{asked} is a whole number from 1 to {MOST_TIMES}");
+        let message = format!("expected {asked} from 1 to {MOST_TIMES}");
         Error::new(literal.span(), message)
     }))
 }
@@ -224,7 +224,7 @@ fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
     };
     let value = digits.parse().map_err(|_| Error::new(at, "expected a number"))?;
     if is_number_type(&suffix) {
-        return Err(Error::new(at, "numbers have no type here: leave its suffix away"));
+        return Err(Error::new(at, "numbers have no type here: remove the suffix"));
     }
     let expr = ExprSyntax { kind: ExprKind::Number(value), extent: SpanRange::token(at) };
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
@@ -251,7 +251,10 @@ fn path(input: &mut Cursor) -> Result<ExprSyntax> {
     let mut tokens = TokenStream::new();
     let start = SpanRange::token(input.next_span());
     if let Some(first) = input.peek_ident().filter(|first| first == "Self") {
-        return Err(Error::new(first.span(), "`Self` is not known here; name the type itself"));
+        return Err(Error::new(
+            first.span(),
+            "`Self` is not known here: write the name of the type",
+        ));
     }
     loop {
         if input.peek_pair(':', ':') {
@@ -267,7 +270,7 @@ fn path(input: &mut Cursor) -> Result<ExprSyntax> {
         }
     }
     if input.peek_group(Delimiter::Parenthesis) {
-        let message = "functions of Rust cannot be called here; name a `const` instead";
+        let message = "Rust functions cannot be called here: write a `const` instead";
         return Err(Error::new(input.next_span(), message));
     }
     Ok(ExprSyntax { kind: ExprKind::Path(tokens), extent: start.to(input.last()) })
@@ -277,6 +280,9 @@ fn check_length(parts: usize, input: &Cursor) -> Result<()> {
     if parts <= MOST_PARTS {
         return Ok(());
     }
-    let message = format!("more than {MOST_PARTS} parts in one sum or product");
+    let message = format!(
+        "more than {MOST_PARTS} terms or factors in one formula: write a part \
+                           of it as a Rust `const`"
+    );
     Err(Error::new(input.last().first, message))
 }

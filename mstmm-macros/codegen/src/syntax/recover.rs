@@ -69,7 +69,7 @@ pub(super) fn misspelt_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics)
     let mut behind = ahead;
     behind.literal()?;
     behind.group(Delimiter::Brace)?;
-    diagnostics.error(word.span(), format!("unknown stop `{word}`; did you mean `repeat`?"));
+    diagnostics.error(word.span(), format!("unknown route item `{word}`; did you mean `repeat`?"));
     *input = ahead;
     Some(word.span())
 }

@@ -64,11 +64,11 @@ fn repeat(
     separators: &mut Separators,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
-    let count = count("how many times", input)?;
+    let count = count("a repeat count", input)?;
     let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
     let start = route.items.len();
     let read = if inside.is_empty() {
-        let message = format!("nothing is repeated here: {}", RepeatSyntax::EXAMPLE);
+        let message = format!("this `repeat` is empty: {}", RepeatSyntax::EXAMPLE);
         Err(Error::new_spanned(braces, message))
     } else {
         contents(inside, route, separators, diagnostics)
@@ -105,7 +105,7 @@ fn contents(
 ) -> Result<()> {
     loop {
         if let Some(at) = inside.word("repeat") {
-            return Err(Error::new(at, "`repeat` cannot stand within `repeat`"));
+            return Err(Error::new(at, "`repeat` blocks cannot be nested"));
         }
         route.items.push(route_item(&mut inside, diagnostics)?);
         if inside.is_empty() {

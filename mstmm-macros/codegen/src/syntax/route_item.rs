@@ -71,7 +71,7 @@ fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
 
 /// What is said where a moving end gets a place.
 pub(super) const MOVING_HAS_NO_PLACE: &str =
-    "a moving end has no place: its motion is given at each step";
+    "a moving end has no position: its motion is given at each step";
 
 /// What stands in parentheses, if it is there.
 fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {

@@ -42,7 +42,7 @@ impl Separators {
         }
         if signs > 0 && !self.reported {
             let more = if branches { format!("; {}", BRANCHES) } else { String::new() };
-            diagnostics.error(at, format!("stops are joined by `->`{more}"));
+            diagnostics.error(at, format!("join the items of a route by `->`{more}"));
             self.reported = true;
             self.branches |= branches;
         }

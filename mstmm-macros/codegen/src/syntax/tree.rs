@@ -253,7 +253,7 @@ impl ValueSyntax {
             }
             ValueSyntax::Number(_) => "a number".into(),
             ValueSyntax::Vector(_) => "a vector".into(),
-            ValueSyntax::Turned(..) => "a turned frame".into(),
+            ValueSyntax::Turned(..) => "a rotated frame".into(),
             ValueSyntax::FormSyntax(form) => format!("`{}(…)`", form.word),
             ValueSyntax::About(..) => "a number about a point".into(),
             ValueSyntax::PlaceOn(body, _) => format!("a point of `{body}`"),

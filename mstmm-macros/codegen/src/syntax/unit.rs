@@ -133,6 +133,6 @@ pub(super) fn exponent(input: &mut Cursor) -> Result<i32> {
     let at = literal.span();
     match literal.to_string().parse::<i32>() {
         Ok(power) if power <= HIGHEST_POWER => Ok(sign * power),
-        _ => Err(Error::new(at, format!("a power is a whole number up to {HIGHEST_POWER}"))),
+        _ => Err(Error::new(at, format!("expected a whole power up to {HIGHEST_POWER}"))),
     }
 }

@@ -30,11 +30,15 @@ pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
     Ok(match (position, about(input)?) {
         (ValueSyntax::Number(expr), Some(point)) => ValueSyntax::About(expr, point),
         (ValueSyntax::Vector(list), Some(_)) => {
-            let message = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
+            let message = "write an inertia as `diag(xx, yy, zz)`, with round parentheses";
             return Err(Error::new(list.extent.first, message));
         }
         (_, Some(point)) => {
-            return Err(Error::new(point.span(), "only an inertia is about a point"));
+            return Err(Error::new(
+                point.span(),
+                "only an inertia has a reference point: remove \
+                                                 `about …`",
+            ));
         }
         (position, None) => position,
     })
@@ -53,7 +57,7 @@ fn vector(input: &mut Cursor) -> Result<ListSyntax> {
     let (inside, extent) =
         input.group(Delimiter::Bracket).ok_or_else(|| input.unexpected("a vector `[x, y, z]`"))?;
     if inside.peek_group(Delimiter::Bracket) {
-        return Err(Error::new(extent.first, format!("a matrix is written `{MATRIX}`")));
+        return Err(Error::new(extent.first, format!("write a matrix as `{MATRIX}`")));
     }
     let entries = number::list(inside)?;
     let list = ListSyntax { entries, unit: unit::optional(input)?, extent };
@@ -139,7 +143,7 @@ fn form(input: &mut Cursor) -> Result<FormSyntax> {
 
 /// The entries of a matrix, row by row.
 fn rows(mut inside: Cursor, extent: SpanRange) -> Result<Vec<ExprSyntax>> {
-    let shape = |at: SpanRange| Error::new_spanned(at, format!("a matrix is written `{MATRIX}`"));
+    let shape = |at: SpanRange| Error::new_spanned(at, format!("write a matrix as `{MATRIX}`"));
     let mut entries = Vec::new();
     while let Some((row, brackets)) = inside.group(Delimiter::Bracket) {
         let row = number::list(row)?;

@@ -24,7 +24,11 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
         let uses =
             |item: &RouteItem| matches!(item, RouteItem::Body { word, .. } if *word == body.name);
         if !draft.items.iter().any(uses) {
-            let message = format!("body `{}` is not on the route", body.name);
+            let message = format!(
+                "type `{}` is not used on the route: add a body of this type, \
+                                   or remove the block",
+                body.name
+            );
             diagnostics.error(body.name.span(), message);
         }
     }
@@ -68,7 +72,7 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
         for (index, point) in body.points.iter().enumerate() {
             let name = point.name;
             let message = if POINTS.iter().any(|known| name == known) {
-                format!("every body has a point `{name}`")
+                format!("every body has a point `{name}` already: choose another name")
             } else if RESERVED.iter().any(|known| name == known) {
                 format!("`{name}` is a method of the results at every body and cannot be a name")
             } else if body.points[..index].iter().any(|other| other.name == name) {

@@ -17,11 +17,12 @@ pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
     let (again, other) = (again.next(), again.next());
     match (again, further) {
         (Some(name), _) if other.is_some() => format!(
-            "a chain closes over the ground or a moving end only, not from `{name}`: \
-             hold the two bodies together by two loads with `force = input`"
+            "a loop can close only at the ground or at a moving end, not at `{name}`: hold the \
+             two bodies together by two loads with `force = input`"
         ),
         (Some(name), [RouteItem::Duplicate { .. }, ..]) if is_last(first, name) => {
-            format!("a chain has one route: go on with `-> …` in place of the `;` after `{name}`")
+            format!("a chain has one route: to continue it, write `->` instead of the `;` after \
+                     `{name}`")
         }
         (Some(name), [RouteItem::Duplicate { .. }, ..]) if is_first(first, name) => format!(
             "a chain has no branches, but a route can pass through `{name}`: \
@@ -32,7 +33,7 @@ pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
              separate chain, and couple the two by a `load` with `force = input` in each"
         ),
         (None, _) if is_continued(first, further) => {
-            "a chain has one route: to go on with the first one, write `->` in place of the `;` \
+            "a chain has one route: to continue the first one, write `->` instead of the `;` \
              before this"
                 .into()
         }

@@ -12,8 +12,8 @@ type Vector = Vec3<f64>;
 /// What to write in place of hinges in a row, as the end of a message.
 pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
     match compound(hinges, defaults) {
-        Some(kind) => format!("; one hinge `{kind}` does the same"),
-        None => "; put one there, with a mass, however small".into(),
+        Some(kind) => format!("; write one hinge `{kind}` instead"),
+        None => "; add a body there, with a small mass".into(),
     }
 }
 

@@ -109,7 +109,7 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
                 continue;
             }
             seen.push(field);
-            let message = "the pitch of an elastic hinge lies between -90 deg and 90 deg";
+            let message = "the pitch angle of an elastic hinge must be between -90 deg and 90 deg";
             let right_angle = || Value::number(FRAC_PI_2);
             let margins = [right_angle().minus(angle.clone()), right_angle().plus(angle.clone())];
             let condition =
@@ -150,7 +150,10 @@ pub(super) fn motions_are_given_alone(draft: &Draft, diagnostics: &mut Diagnosti
             }
             reported.push(field);
             let name = &field.name;
-            let message = format!("`{name}` says nothing here: the motion is given at each step");
+            let message = format!(
+                "`{name}` has no effect: `motion = input` prescribes the \
+                                   motion of this hinge"
+            );
             diagnostics.error(name.span(), message);
         }
     }

@@ -33,12 +33,12 @@ fn real(space: Dimension, body: &BodyType, inertia: &Spanned<Inertia>) -> Requir
         let condition = |sign| Condition::new(sign, Bound::NotBeNegative, inertia.at, message);
         conditions.extend(signs.into_iter().map(condition));
     };
-    let message = "no body has this inertia: \
-                   a principal moment is more than the sum of the other two";
+    let message = "no real body has this inertia: a principal moment exceeds the sum of the \
+                   other two";
     require(inertia.value.signs(space), message);
     if let (Some(mass), Some(com)) = (&body.mass, &body.com) {
-        let message = "no body with this mass and centre of mass has so little inertia \
-                       about its input; is it `about com`?";
+        let message = "this inertia about the input is too small for the mass and the centre of \
+                       mass: is it `about com`?";
         require(inertia.value.central_signs(space, &mass.value, &com.value), message);
     }
     conditions

@@ -96,7 +96,7 @@ fn twice(draft: &Draft, index: usize) -> &'static str {
                 is_same(other) && matches!(other, RouteItem::Body { word: same, .. } if same == word)
             }) =>
         {
-            "; a chain closes over the ground or a moving end only"
+            "; a loop can close only at the ground or at a moving end"
         }
         [RouteItem::Moving { .. }] if before.first().is_some_and(is_same) => {
             "; give this end another name, and both ends the same motion"
@@ -149,7 +149,7 @@ pub(super) fn chains_are_not_called_like_their_numbers(
 ) {
     let name = &draft.def.name;
     if name == "T" {
-        let message = "`T` stands for the numbers of a chain and cannot be its name";
+        let message = "`T` is the scalar type of a chain and cannot be its name";
         diagnostics.name(name, message);
     }
 }
@@ -186,7 +186,10 @@ pub(super) fn inputs_of_loads_have_a_name_of_their_own(
     for load in draft.loads.iter().map(|load| load.name) {
         for input in [format!("{load}_force"), format!("{load}_torque")] {
             if let Some(other) = names.iter().find(|other| other.ident == &input) {
-                let message = format!("`{input}` is what an input of load `{load}` is called");
+                let message = format!(
+                    "`{input}` is reserved for an input of load `{load}`: \
+                                       choose another name"
+                );
                 diagnostics.name(other.ident, message);
             }
         }
@@ -220,7 +223,7 @@ pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &m
 pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (index, body) in draft.types.iter().enumerate() {
         if draft.types[..index].iter().any(|other| other.name == body.name) {
-            let message = format!("body `{}` is described twice", body.name);
+            let message = format!("type of body `{}` is described twice", body.name);
             diagnostics.name(body.name, message);
         }
     }
@@ -250,6 +253,12 @@ fn refuse_words<'a>(
     diagnostics: &mut Diagnostics,
 ) {
     for name in names.filter(|name| words.iter().any(|word| name == word)) {
-        diagnostics.name(name, format!("`{name}` is a word of this language and cannot be a name"));
+        diagnostics.name(
+            name,
+            format!(
+                "`{name}` is a keyword of this language and cannot be a \
+                                        name"
+            ),
+        );
     }
 }

@@ -69,7 +69,7 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
                 && fields.lacks(needed)
                 && once.is_new(field, 0)
             {
-                let message = format!("`{}` needs `{needed}` beside it", field.name);
+                let message = format!("`{}` needs `{needed}` as well", field.name);
                 diagnostics.error(field.name.span(), message);
             }
         }

@@ -57,7 +57,13 @@ pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics)
             RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
         };
-        diagnostics.error(at, format!("`{word}` cannot stand in `repeat`"));
+        diagnostics.error(
+            at,
+            format!(
+                "`{word}` cannot be in a `repeat`: it is an end of the \
+                                       route"
+            ),
+        );
     }
 }
 
@@ -70,8 +76,8 @@ pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagn
     };
     // An end inside a repeated part is reported there.
     for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.items.end < items.len()) {
-        let message = "a chain that is held at its end alone cannot `repeat`: \
-                       write it the other way round, from there on";
+        let message = "a chain with `repeat` must begin at the end that is held: reverse the \
+                       route";
         diagnostics.error(repeat.at, message);
     }
 }

@@ -53,11 +53,17 @@ pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
 pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
     if draft.def.route.is_none() && draft.def.complete {
-        diagnostics.error(name.span(), format!("chain `{name}` has no route"));
+        diagnostics.error(
+            name.span(),
+            format!(
+                "chain `{name}` has no route: write one, as in \
+                                                `ground -> slider joint -> Car car;`"
+            ),
+        );
     }
     let items = readable_route(draft);
     if let (Some((at, _)), false) = (items.first().and_then(called), has_body(items)) {
-        diagnostics.error(at, "there is no body on the route");
+        diagnostics.error(at, "the route has no body: add at least one");
     }
 }
 
@@ -90,8 +96,8 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
         // One in a repeated part is reported there.
         if repeat_around(draft, index + 1).is_none() {
             let message = format!(
-                "`{word}` can only be at an end of the route: end this chain here, and write what \
-                 follows as a second chain"
+                "`{word}` can only be at an end of the route: end this chain here, and write the \
+                 rest as a second chain"
             );
             diagnostics.error(at, message);
         }
@@ -126,19 +132,28 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
             ) => {
                 let [first, second] =
                     [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
-                format!("bodies {first} and {second} have no hinge between them")
+                format!(
+                    "bodies {first} and {second} have no hinge between them: add one, such \
+                         as `weld name`"
+                )
             }
             (
                 RouteItem::Ground { .. } | RouteItem::Moving { .. },
                 RouteItem::Body { body_type: Some(_), .. },
             ) if at_start => {
-                format!("{first_name} and {second_name} have no hinge between them")
+                format!(
+                    "{first_name} and {second_name} have no hinge between them: add one, \
+                         such as `weld name`"
+                )
             }
             (
                 RouteItem::Body { body_type: Some(_), .. },
                 RouteItem::Ground { .. } | RouteItem::Moving { .. },
             ) if at_end => {
-                format!("{first_name} and {second_name} have no hinge between them")
+                format!(
+                    "{first_name} and {second_name} have no hinge between them: add one, \
+                         such as `weld name`"
+                )
             }
             _ => continue,
         };
@@ -187,7 +202,7 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
         }
         let Some((at, name)) = called(item) else { continue };
         let message =
-            format!("{name} joins nothing: {verb} the route with a body or with `ground`");
+            format!("{name} connects nothing: {verb} the route with a body or with `ground`");
         diagnostics.error(at, message);
     }
 }
@@ -217,7 +232,8 @@ pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostic
         && has_body
         && middle.iter().zip(properties).all(is_rigid)
     {
-        let message = "the chain is held at both ends and no hinge between them is free to move";
+        let message = "the chain is held at both ends and all its hinges are welds or \
+                       prescribed: add one that is free to move, or free an end";
         diagnostics.error(at, message);
     }
 }

@@ -68,7 +68,11 @@ pub(super) fn types<'a>(def: &'a ChainSyntax, context: &mut Context) -> Vec<Body
 fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyType<'a>> {
     let (name, others) = block.names.split_first()?;
     if let Some(other) = others.first() {
-        context.diagnostics.error(other.span(), "a block describes one type of body");
+        context.diagnostics.error(
+            other.span(),
+            "a block describes one type of body: write a \
+                                                 block for each",
+        );
     }
     let mut given = Fields::default();
     let owner = format!("body `{name}`{}", context.of_chain());

@@ -46,9 +46,9 @@ pub(super) const TORQUE: &Quantity = &quantity("a torque", "N*m", [2, 1, -2, 0])
 pub(super) const STIFFNESS: &Quantity = &quantity("a stiffness", "N/m", [0, 1, -2, 0]);
 pub(super) const DAMPING: &Quantity = &quantity("a damping", "N*s/m", [0, 1, -1, 0]);
 pub(super) const TURNING_STIFFNESS: &Quantity =
-    &quantity("a stiffness of turns", "N*m/rad", [2, 1, -2, -1]);
+    &quantity("a rotational stiffness", "N*m/rad", [2, 1, -2, -1]);
 pub(super) const TURNING_DAMPING: &Quantity =
-    &quantity("a damping of turns", "N*m*s/rad", [2, 1, -1, -1]);
+    &quantity("a rotational damping", "N*m*s/rad", [2, 1, -1, -1]);
 pub(super) const PITCH: &Quantity = &quantity("a pitch", "m/rad", [1, 0, 0, -1]);
 
 /// All quantities that have a name. A dimension is called by the first line that it matches.

@@ -91,7 +91,8 @@ impl Context<'_> {
             other => {
                 let found = other.described();
                 let message = format!(
-                    "in a plane chain an inertia is a number as in `0.1 kg*m^2 about com`, found {found}"
+                    "expected one moment of inertia in a plane chain, such as `0.1 kg*m^2 about \
+                     com`, found {found}"
                 );
                 return self.refuse(other.extent(), message);
             }
@@ -105,7 +106,8 @@ impl Context<'_> {
 
     fn about(&mut self, inertia: SpanRange, point: Option<&Ident>) -> Option<About> {
         let Some(point) = point else {
-            let message = "an inertia is about a point: end with `about com` or `about input`";
+            let message = "an inertia needs a reference point: end with `about com` or `about \
+                           input`";
             return self.refuse(inertia, message);
         };
         let known = POINTS.iter().find(|(word, _)| point == word).map(|&(_, about)| about);

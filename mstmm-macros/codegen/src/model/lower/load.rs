@@ -21,8 +21,9 @@ pub(super) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"]
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 pub(super) const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
 /// The message for a spring between two bodies.
-const BETWEEN_BODIES: &str = "a spring joins a body to the ground: between two bodies write two loads \
-                              with `force = input`, and give them opposite forces at each step";
+const BETWEEN_BODIES: &str = "a spring connects a body to the ground: between two bodies write \
+                              two loads with `force = input`, and give them opposite forces at \
+                              each step";
 /// The points that every body has.
 pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
 pub(super) const AXES: &[(&str, LoadAxes)] =
@@ -88,11 +89,17 @@ pub(super) fn loads<'a>(
             BlockKeyword::Body | BlockKeyword::Hinge => continue,
         };
         if !block.after_route && def.route.is_some() {
-            context.diagnostics.error(block.at, format!("{word}s are described after the route"));
+            context.diagnostics.error(block.at, format!("write a {word} after the route"));
         }
         let Some((name, others)) = block.names.split_first() else { continue };
         if let Some(other) = others.first() {
-            context.diagnostics.error(other.span(), format!("a block describes one {word}"));
+            context.diagnostics.error(
+                other.span(),
+                format!(
+                    "a block describes one {word}: write \
+                a block for each"
+                ),
+            );
         }
         let mut fields = Fields::default();
         let owner = format!("{word} `{name}`{}", context.of_chain());
@@ -152,10 +159,16 @@ fn on(
         .iter()
         .any(|item| matches!(item, RouteItem::Hinge { name: Some(name), .. } if *name == word))
     {
-        return context.refuse(word, format!("`{word}` is a hinge: only a body can be pulled at"));
+        return context.refuse(
+            word,
+            format!(
+                "`{word}` is a hinge: name the body that the force \
+                                             acts on"
+            ),
+        );
     }
     if word == "ground" {
-        return context.refuse(word, "the ground does not move: name a body on the route");
+        return context.refuse(word, "the ground is fixed: name a body on the route");
     }
     let hint = context.hint(word, bodies().filter_map(RouteItem::name));
     let names = bodies().filter_map(RouteItem::name);
@@ -209,7 +222,8 @@ impl LoadTarget<'_, '_> {
         let Some(body_type) = self.body_type() else { return Some(None) };
         if word == "output" {
             if body_type.missing(true).contains(&"output") {
-                let message = format!("body `{}` has no output", body_type.name);
+                let message =
+                    format!("body `{}` has no output: give its type an `output`", body_type.name);
                 return context.refuse(word, message);
             }
             return Some(body_type.output.as_ref().map(|output| output.value.position.clone()));
@@ -304,7 +318,7 @@ fn not_on_ground(written: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRang
     };
     let at = SpanRange::token(word.span());
     if word == "ground" {
-        let message = "the ground needs a point: `to = [x, y, z] m`, inertial frame";
+        let message = "write the point on the ground: `to = [x, y, z] m`, inertial frame";
         return Some((at, message.into()));
     }
     let is_it =

@@ -71,7 +71,7 @@ impl Context<'_> {
             return self.refuse(found.at, message);
         }
         if expected.dimension == PITCH.dimension && dimension == LENGTH.dimension {
-            let message = "a pitch is a length for a turn: write `5 mm/rev` or `5 mm/rad`";
+            let message = "a pitch is a length per turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
         let is_number = expected.dimension == PhysicalDimension::default();
@@ -115,7 +115,8 @@ impl Context<'_> {
             ExprKind::Path(path) => {
                 let first = path.clone().into_iter().next();
                 if first.is_some_and(|token| token.to_string() == "T") {
-                    let message = "`T` stands for the numbers of a chain; reach it by another path";
+                    let message = "`T` is the scalar type of a chain here: name the constant by \
+                                   another path";
                     return self.refuse(expr.extent, message);
                 }
                 let value = self.constant(path.clone());
@@ -136,24 +137,29 @@ impl Context<'_> {
             return Some((Value::Symbol(Symbol::Parameter(index)), measure));
         }
         if self.later_parameters.contains(&name) {
-            return self.refuse(name, "the default of a parameter cannot use a parameter");
+            return self.refuse(
+                name,
+                "the default of a parameter cannot use a parameter: write \
+                                      numbers or Rust constants",
+            );
         }
         if name == "PI" {
             return Some((Value::number(std::f64::consts::PI), Measure::Plain));
         }
         let text = name.to_string();
         if text == "Self" {
-            return self.refuse(name, "`Self` is not known here; name the type itself");
+            return self.refuse(name, "`Self` is not known here: write the name of the type");
         }
         if text.starts_with(char::is_uppercase) {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
         if text == "input" {
-            let message = "`input` stands alone, and only where something is given at each step";
+            let message = "`input` cannot be part of a formula: it stands for a whole field that \
+                           is given at each step";
             return self.refuse(name, message);
         }
         if unit::is_symbol(&text) {
-            return self.refuse(name, format!("`{text}` is a unit and stands after a number"));
+            return self.refuse(name, format!("`{text}` is a unit: write it after a number"));
         }
         if !self.complete {
             return None;
@@ -218,11 +224,11 @@ impl Context<'_> {
         for part in parts {
             let message = match part.measure {
                 Measure::Plain if !dimension.is_number() || dimension.angle != 0 => format!(
-                    "a number without a unit in {together} with {}; only 0 needs none",
+                    "this number has no unit, but is in {together} with {}: write its unit",
                     dimension.name()
                 ),
                 Measure::Of(other) if !other.fits(dimension) => {
-                    format!("{} and {} do not belong in {together}", dimension.name(), other.name())
+                    format!("{} and {} cannot be in {together}", dimension.name(), other.name())
                 }
                 _ => continue,
             };
@@ -264,7 +270,7 @@ impl Context<'_> {
             return self.refuse(expr.extent, "division by zero");
         }
         if base.value.size() * power.unsigned_abs() as usize > LARGEST_FORMULA {
-            let message = "this formula is too long; give a part of it as a `const`";
+            let message = "this formula is too long: write a part of it as a Rust `const`";
             return self.refuse(expr.extent, message);
         }
         let one = Value::number(1.0);
@@ -296,7 +302,7 @@ impl Context<'_> {
             Measure::Of(dimension) if dimension != PhysicalDimension::default() => self.refuse(
                 number.at,
                 format!(
-                    "this is {} already: give every plain number beside it its own unit instead",
+                    "this expression is {} already: attach the unit to the plain numbers instead",
                     dimension.name()
                 ),
             ),
@@ -309,7 +315,7 @@ impl Context<'_> {
         let unknown = match (unit::resolve(unit), unit.parentheses) {
             (Ok(known), None) => return Some(known),
             (Ok(_), Some(parentheses)) => {
-                let message = format!("units have no parentheses: `{}`", unit.text());
+                let message = format!("write the unit without parentheses: `{}`", unit.text());
                 return self.refuse(parentheses, message);
             }
             (Err(unknown), _) => unknown,
@@ -321,7 +327,7 @@ impl Context<'_> {
         let hint = unit::hint(symbol);
         let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);
         let message = if is_name || (hint.is_empty() && looks_like_constant) {
-            format!("a unit closes a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
+            format!("a unit ends a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
         } else {
             format!("unknown unit `{symbol}`{hint}")
         };
@@ -348,7 +354,7 @@ impl Context<'_> {
             return self.unknown_function(function);
         }
         let [argument] = arguments else {
-            return self.refuse(expr.extent, format!("`{function}` takes one number"));
+            return self.refuse(expr.extent, format!("`{function}` has one argument"));
         };
         let written = argument;
         let argument = self.measure(written)?;
@@ -399,7 +405,7 @@ pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&
         return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
     }
     if in_hertz && expected.dimension == RATE.dimension {
-        return Some("`Hz` does not say turns or radians; write rev/s or rad/s");
+        return Some("`Hz` is ambiguous for an angular velocity: write `rev/s` or `rad/s`");
     }
     None
 }

@@ -21,7 +21,7 @@ type OrientationReader = fn(&mut Context, &FormSyntax) -> Option<Orientation>;
 
 /// The ways to write an orientation.
 const ORIENTATIONS: &[(&str, OrientationReader)] = &[("rpy", rpy), ("quaternion", quaternion)];
-const ZERO_QUATERNION: &str = "a quaternion of zeros turns nothing";
+const ZERO_QUATERNION: &str = "a quaternion of zeros is no orientation";
 const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
 
 fn rpy(context: &mut Context, form: &FormSyntax) -> Option<Orientation> {
@@ -48,7 +48,7 @@ impl Context<'_> {
             return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
         };
         if let Some(about) = &form.about {
-            return self.refuse(about, "only an inertia is about a point");
+            return self.refuse(about, "only an inertia has a reference point: remove `about …`");
         }
         read(self, form)
     }
@@ -69,7 +69,11 @@ impl Context<'_> {
         match self.space {
             Dimension::Space => self.turned(turn),
             Dimension::Plane => self.angle(turn).map(Orientation::about_z),
-            Dimension::Line => self.refuse(turn.extent(), "nothing is turned in a line chain"),
+            Dimension::Line => self.refuse(
+                turn.extent(),
+                "a line chain has no orientations: \
+                remove `turned …`",
+            ),
         }
     }
 

@@ -33,7 +33,7 @@ pub(super) fn properties<'a>(
             continue;
         }
         if !block.after_route && def.route.is_some() {
-            context.diagnostics.error(block.at, "hinges are described after the route");
+            context.diagnostics.error(block.at, "write the block of a hinge after the route");
         }
         assign(block, def, items, &places, &mut fields, context);
     }
@@ -55,7 +55,7 @@ pub(super) fn properties<'a>(
 /// Only types of bodies have points.
 fn refuse_points(block: &BlockSyntax, context: &mut Context) {
     for point in &block.points {
-        let message = "points are described with a type of body, before the route";
+        let message = "write points in the block of a type of body, before the route";
         context.diagnostics.error(point.name.span(), message);
     }
 }
@@ -126,27 +126,27 @@ fn target(
     };
     match (block.word, &items[index]) {
         (BlockKeyword::Body, RouteItem::Hinge { .. }) => {
-            context.refuse(name, format!("`{name}` is a hinge: `hinge {name} {{ … }}`"))
+            context.refuse(name, format!("`{name}` is a hinge: write `hinge {name} {{ … }}`"))
         }
         (_, RouteItem::Moving { .. }) => {
-            let message =
-                format!("nothing can be said of `{name}`: its motion is given at each step");
+            let message = format!(
+                "`{name}` is a moving end and has no properties: its motion is given at \
+                         each step"
+            );
             context.refuse(name, message)
         }
         // It may be a hinge whose kind is not known.
         (BlockKeyword::Hinge, RouteItem::Body { body_type: None, .. }) => None,
         (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
-            context.refuse(name, format!("`{name}` is a body: `body {name} {{ … }}`"))
+            context.refuse(name, format!("`{name}` is a body: write `body {name} {{ … }}`"))
         }
         (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(items) => {
             // Where the route has a mistake, so has this verdict.
             if !def.route.as_ref().is_some_and(|route| route.complete) {
                 return None;
             }
-            let message = format!(
-                "nothing can be said of `{name}`: \
-                 only the first body of a floating chain has a start"
-            );
+            let message =
+                format!("`{name}` has no start: only the first body of a floating chain has one");
             context.refuse(name, message)
         }
         _ => Some(index),
@@ -171,7 +171,7 @@ fn unknown_name(
     context: &mut Context,
 ) {
     if block.word == BlockKeyword::Body && body::describes_type(block) {
-        let message = "a type of body is described before the route";
+        let message = "write the block of a type of body before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
@@ -189,7 +189,7 @@ fn unknown_name(
     let has_type =
         def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
     if block.word == BlockKeyword::Body && !has_type && items.iter().any(is_body) {
-        let message = "a type of body is described before the route";
+        let message = "write the block of a type of body before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }

@@ -99,7 +99,7 @@ pub(super) fn items<'a>(
         syntax::RouteItemSyntax::Moving { at, name } => {
             known.extend(name.as_ref().map(ToString::to_string));
             if name.is_none() {
-                context.diagnostics.error(*at, "a moving end needs a name: `moving name`");
+                context.diagnostics.error(*at, "a moving end needs a name: write `moving name`");
             }
             RouteItem::Moving { at: *at, name: name.as_ref() }
         }
@@ -136,9 +136,9 @@ pub(super) fn items<'a>(
 /// Refuses a stop on the route for the second time.
 fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
     let message = format!(
-        "`{name}` is on the route already, and a chain closes over the ground or a moving end only: \
-         end the route before this hinge, and hold the two bodies together by two loads with \
-         `force = input`"
+        "`{name}` is on the route already, and a loop can close only at the ground or at a \
+         moving end: end the route before this hinge, and hold the two bodies together by two \
+         loads with `force = input`"
     );
     context.diagnostics.error(name.span(), message);
     RouteItem::Duplicate { name }
@@ -148,10 +148,11 @@ fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
 fn refuse_place(place: Span, item: &RouteItem, context: &mut Context) {
     let message = match item {
         RouteItem::Body { word, .. } => format!(
-            "the route goes on at the `output` of a body: give `{word}` an `output` there instead"
+            "the next hinge is always at the `output` of a body: write this point as the \
+             `output` of `{word}`"
         ),
-        RouteItem::Hinge { .. } => "a hinge is at the `output` of the body before it: \
-                               write its place there, or on the ground as in `ground at [x, y, z]`"
+        RouteItem::Hinge { .. } => "a hinge is at the `output` of the body before it: write its \
+                                    position there, or on the ground as in `ground at [x, y, z]`"
             .into(),
         _ => return,
     };
@@ -242,7 +243,7 @@ impl<'a> UnresolvedElement<'a> {
         let message = match meant {
             Some(meant) => {
                 let is_kind = KINDS.iter().any(|kind| kind.word == meant);
-                let what = if is_kind { "kind of hinge" } else { "stop" };
+                let what = if is_kind { "kind of hinge" } else { "route item" };
                 format!("unknown {what} `{word}`; did you mean `{meant}`?")
             }
             None => format!("unknown kind of hinge `{word}`; there are {}", kinds(context)),
@@ -288,7 +289,7 @@ impl<'a> UnresolvedElement<'a> {
             return RouteItem::Unknown { name };
         };
         if name.is_none() {
-            let message = format!("a hinge needs a name: `{word} name`");
+            let message = format!("a hinge needs a name: write `{word} name`");
             context.diagnostics.error(word.span(), message);
         }
         let hinge_kind = kind.read(word, arguments, context);
@@ -298,7 +299,7 @@ impl<'a> UnresolvedElement<'a> {
     fn body(self, body_type: Option<usize>, context: &mut Context) -> RouteItem<'a> {
         let UnresolvedElement { word, arguments, name, .. } = self;
         if let Some(arguments) = arguments {
-            let message = "a body takes nothing in parentheses";
+            let message = "a body has no arguments: remove the parentheses";
             context.diagnostics.error_over(arguments.extent, message);
         }
         let made = || {

@@ -38,7 +38,10 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
     for field in &def.settings {
         let name = field.name.to_string();
         if nearest(&name, SETTINGS.iter().copied()).is_none() {
-            let message = format!("unknown setting `{name}`; a number is `param {name} = …`");
+            let message = format!(
+                "unknown setting `{name}`; for a parameter write `param {name} \
+                                   = …`"
+            );
             context.diagnostics.error(field.name.span(), message);
             // The number may be used further on.
             context.complete = false;
@@ -101,7 +104,7 @@ fn chosen<T: Copy>(
     let entries = match written {
         ValueSyntax::Number(entry) => std::slice::from_ref(entry),
         ValueSyntax::Vector(ListSyntax { unit: Some(unit), .. }) => {
-            return context.refuse(unit.extent, "words have no unit");
+            return context.refuse(unit.extent, "keywords have no unit: remove it");
         }
         ValueSyntax::Vector(ListSyntax { entries, extent, .. }) if entries.is_empty() => {
             return context.refuse(*extent, words.missing("nothing"));

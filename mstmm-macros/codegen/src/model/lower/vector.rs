@@ -18,7 +18,8 @@ impl Context<'_> {
                 self.unknown_function(&form.word)
             }
             ValueSyntax::Vector(list) => {
-                let message = format!("expected {}: a single number", expected.name);
+                let message =
+                    format!("expected {} as a single number, found a vector", expected.name);
                 self.refuse(list.extent, message)
             }
             other => {
@@ -71,7 +72,8 @@ impl Context<'_> {
         match written {
             ValueSyntax::Vector(list) => self.vector(list, count, expected),
             ValueSyntax::Turned(_, turn) => {
-                let message = format!("nothing is turned here; `{}` is enough", brackets(count));
+                let message =
+                    format!("a vector has no orientation: write only `{}`", brackets(count));
                 self.refuse(turn.extent(), message)
             }
             ValueSyntax::FormSyntax(form) if FORMS.iter().all(|known| form.word != known) => {
@@ -112,9 +114,9 @@ impl Context<'_> {
         if found != count {
             let message = if count == self.space.shifts().len() {
                 let chain = self.of_chain();
-                format!("a vector{chain} has {count} components, here are {found}")
+                format!("expected {count} components of a vector{chain}, found {found}")
             } else {
-                format!("expected {count} numbers `{}`, here are {found}", brackets(count))
+                format!("expected {count} numbers `{}`, found {found}", brackets(count))
             };
             return self.refuse(list.extent, message);
         }

@@ -111,7 +111,7 @@ fn replace_each(source: &str) {
 /// test they would overflow it.
 #[test]
 fn deep_groups_are_refused() {
-    let too_deep = "more than 200 groups within each other";
+    let too_deep = "more than 200 nested groups";
     for (depth, message) in
         [(200, "expected `chain`, found `(`"), (201, too_deep), (100_000, too_deep)]
     {

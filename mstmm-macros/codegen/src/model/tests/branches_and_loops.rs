@@ -5,14 +5,14 @@ use super::each_error_once::expect_rods;
 
 const BRANCHES: &str = "a chain has no branches: …";
 
-const SPRING: &str = "a spring joins a body to the ground: …";
+const SPRING: &str = "a spring connects a body to the ground: …";
 
 const SECOND: &str = "a chain has one route: write this one as a second chain; …";
 
 const TRUNK: &str = "ground -> pin a -> Rod crank -> pin b -> Rod bar";
 
 fn continues(name: &str) -> String {
-    format!("a chain has one route: go on with `-> …` in place of the `;` after `{name}`")
+    format!("a chain has one route: to continue it, write `->` instead of the `;` after `{name}`")
 }
 
 fn branches_at(name: &str) -> String {
@@ -24,9 +24,9 @@ fn branches_at(name: &str) -> String {
 
 fn closes_over(name: &str) -> String {
     format!(
-        "`{name}` is on the route already, and a chain closes over the ground or a moving end only: \
-         end the route before this hinge, and hold the two bodies together by two loads with \
-         `force = input`"
+        "`{name}` is on the route already, and a loop can close only at the ground or at a \
+         moving end: end the route before this hinge, and hold the two bodies together by two \
+         loads with `force = input`"
     )
 }
 
@@ -51,7 +51,7 @@ fn a_second_route_is_a_second_chain() {
 
 #[test]
 fn the_rest_of_a_route_follows_on_an_arrow() {
-    let rest = "… `->` in place of the `;` before this";
+    let rest = "… `->` instead of the `;` before this";
     expect_rods(&format!("{TRUNK}; pin c -> Rod x;"), &[("pin", rest)]);
     for start in ["bar", "Rod bar", "bar.tip", "bar at tip", "bar at [1, 0, 0] m", "from bar"] {
         let first = start.split([' ', '.']).next().expect("a word");
@@ -68,7 +68,7 @@ fn a_branch_is_a_chain_of_its_own() {
         expect_rods(&format!("{TRUNK}; {start} -> pin c -> Rod x;"), &[(first, &message)]);
     }
     expect_rods(&format!("{TRUNK}; Rod x -> pin c -> crank;"), &[("Rod", &branches_at("crank"))]);
-    let joined = format!("stops are joined by `->`; {BRANCHES}");
+    let joined = format!("join the items of a route by `->`; {BRANCHES}");
     for sign in [",", "|", "&"] {
         expect_rods(&format!("{TRUNK} {sign} pin c -> Rod x;"), &[(sign, &joined)]);
     }
@@ -106,12 +106,13 @@ fn a_loop_closes_over_the_ground_or_a_moving_end() {
         &format!("{TRUNK} -> pin c -> Rod crank;"),
         &[(
             "crank",
-            "the name `crank` is used twice; a chain closes over the ground or a moving end only",
+            "the name `crank` is used twice; a loop can close only at the ground or at a moving \
+             end",
         )],
     );
     expect_rods(
         &format!("{TRUNK}; bar -> pin c -> crank;"),
-        &[("bar", "a chain closes over the ground or a moving end only, not from `bar`: …")],
+        &[("bar", "a loop can close only at the ground or at a moving end, not at `bar`: …")],
     );
     expect_rods(
         "moving m -> pin a -> Rod x -> pin b -> moving m;",
@@ -120,13 +121,13 @@ fn a_loop_closes_over_the_ground_or_a_moving_end() {
             "the name `m` is used twice; give this end another name, and both ends the same motion",
         )],
     );
-    let message = "a chain closes by a route that ends as it began, …";
+    let message = "a closed chain is a route that ends as it began, …";
     expect_rods(&format!("{TRUNK}; loop {{ bar -> pin c -> crank; }}"), &[("loop", message)]);
 }
 
 #[test]
 fn hinges_are_at_outputs() {
-    let message = "the route goes on at the `output` of a body: give `Rod` …";
+    let message = "the next hinge is always at the `output` of a body: …";
     for (place, at) in [(".tip", "tip"), (" at tip", "at"), (" at [1, 0, 0] m", "at")] {
         expect_rods(
             &format!("ground -> pin a -> Rod x{place} -> pin b -> Rod y;"),
@@ -148,10 +149,10 @@ fn a_spring_goes_to_the_ground() {
         expect_spring(&format!("on = crank; to = {to};"), "bar", SPRING);
     }
     expect_spring("on = [crank, bar];", "bar", SPRING);
-    expect_spring("on = crank; to = ground;", "ground", "the ground needs a point: …");
+    expect_spring("on = crank; to = ground;", "ground", "write the point on the ground: …");
     let point = "a point is a separate field: write `on = crank; at = …;`";
     expect_spring("on = crank.tip; to = [0, 0, 0];", "crank.tip", point);
-    let ground = "the ground does not move: name a body on the route";
+    let ground = "the ground is fixed: name a body on the route";
     expect_spring("on = ground; to = [0, 0, 0];", "ground", ground);
     expect_rods(
         &format!("{TRUNK}; load l {{ on = [crank, bar]; force = input; }}"),

@@ -6,8 +6,8 @@ const ROD: &str = "body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 
                    inertia = diag(0, 1/6, 1/6) kg*m^2 about com; } ";
 
 /// What is said where an item is unknown.
-pub(super) const ITEMS: &str = "; there are `gravity`, `method`, `results`, `answers`, `param`, `body`, the \
-                                route, `hinge`, `load` and `spring`";
+pub(super) const ITEMS: &str = "; the items are `gravity`, `method`, `results`, `answers`, \
+                                `param`, `body`, the route, `hinge`, `load` and `spring`";
 
 /// A chain of rods with this written behind their description.
 #[track_caller]
@@ -48,8 +48,8 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
         "torque = 1 kg; motion = 3; limits = 1; limit_stiffness = 0; limit_damping = -1;",
         &[
             ("kg", "expected a torque, found a mass"),
-            ("3", "expected `input`, …"),
-            ("1", "limits are two: `[lowest, highest]`, found a number"),
+            ("3", "expected `input` …"),
+            ("1", "expected two limits `[lowest, highest]`, found a number"),
             ("0", "the stiffness of limits must be positive"),
             ("-1", "a damping cannot be negative"),
         ],
@@ -62,9 +62,9 @@ fn a_missing_field_hides_no_wrong_one() {
         "pin",
         "limits = [3, 1]; friction = -1;",
         &[
-            ("limits", "`limits` needs `limit_stiffness` beside it"),
+            ("limits", "`limits` needs `limit_stiffness` as well"),
             ("[3, 1]", "… must be below the second one"),
-            ("friction", "`friction` needs `friction_speed` beside it"),
+            ("friction", "`friction` needs `friction_speed` as well"),
             ("-1", "friction cannot be negative"),
         ],
     );
@@ -72,9 +72,9 @@ fn a_missing_field_hides_no_wrong_one() {
         "pin",
         "limit_stiffness = -2; friction_speed = -1;",
         &[
-            ("limit_stiffness", "`limit_stiffness` needs `limits` beside it"),
+            ("limit_stiffness", "`limit_stiffness` needs `limits` as well"),
             ("-2", "the stiffness of limits must be positive"),
-            ("friction_speed", "`friction_speed` needs `friction` beside it"),
+            ("friction_speed", "`friction_speed` needs `friction` as well"),
             ("-1", "the speed of friction must be positive"),
         ],
     );
@@ -93,7 +93,7 @@ fn a_parameter_without_a_default_is_not_judged() {
 
 #[test]
 fn a_route_without_a_body_is_one_error() {
-    let message = "there is no body on the route";
+    let message = "the route has no body: add at least one";
     expect_rods("ground;", &[("ground", message)]);
     expect_rods("ground -> pin(z) j;", &[("ground", message)]);
     expect_rods("ground -> pin a -> pin b -> ground;", &[("ground", message)]);
@@ -106,7 +106,7 @@ fn chains_have_types_of_their_own() {
     let expect = |first: &str, second: &str, message: &str| {
         expect_all(&[chain(first), chain(second)].concat(), &[(second, message)]);
     };
-    expect("A", "A", "two chains are called `A`");
+    expect("A", "A", "two chains have the name `A`");
     expect("AState", "A", "chains `AState` and `A` both have a type `AState`");
     expect("A", "AWorkspace", "chains `A` and `AWorkspace` both have a type `AWorkspace`");
     expect_all(&[chain("A"), chain("B")].concat(), &[]);

@@ -21,23 +21,23 @@ fn nothing_leads_out_of_the_plane() {
     expect_plane(
         "gravity = [0, -9.8]",
         "gravity = [0, -9.8, 0]",
-        &[("[0, -9.8, 0]", "… 2 components, here are 3")],
+        &[("[0, -9.8, 0]", "expected 2 components …, found 3")],
     );
     expect_plane(
         "output = [1, 0] m",
         "output = [1, 0] m turned rpy(1, 0, 0)",
         &[("rpy(1, 0, 0)", "expected an angle, found `rpy(…)`")],
     );
-    expect_plane("pin a", "pin(z) a", &[("(z)", "… takes nothing in parentheses")]);
+    expect_plane("pin a", "pin(z) a", &[("(z)", "… has no arguments: …")]);
     expect_plane(
         "slider b",
         "planar(x) b",
-        &[("(x)", "`planar` of a plane chain takes nothing in parentheses")],
+        &[("(x)", "`planar` of a plane chain has no arguments: remove the parentheses")],
     );
     expect_plane(
         "force = [1, 2] N",
         "torque = [0, 0, 1] N*m",
-        &[("[0, 0, 1]", "expected a torque: a single number")],
+        &[("[0, 0, 1]", "expected a torque as a single number, found a vector")],
     );
 }
 
@@ -47,14 +47,14 @@ fn inertias_in_the_plane_are_numbers() {
     expect_plane(
         written,
         "diag(1, 1, 1) about com",
-        &[("diag(1, 1, 1)", "in a plane chain an inertia is a number …")],
+        &[("diag(1, 1, 1)", "expected one moment of inertia in a plane chain, …")],
     );
-    expect_plane(written, "0.1 kg*m^2", &[("0.1 kg*m^2", "an inertia is about a point: …")]);
+    expect_plane(written, "0.1 kg*m^2", &[("0.1 kg*m^2", "an inertia needs a reference point: …")]);
     expect_plane(written, "-0.1 about com", &[("-0.1", "a moment of inertia cannot be negative")]);
     expect_plane(
         written,
         "0.2 about input",
-        &[("0.2 about input", "… so little inertia about its input; …")],
+        &[("0.2 about input", "this inertia about the input is too small …")],
     );
     expect_plane(written, "0.25 about input", &[]);
     expect_plane(
@@ -78,11 +78,11 @@ fn nothing_leads_off_the_line() {
     expect_all(&line("slider", "", ""), &[]);
     expect_all(
         &line("slider", "com = [1, 0, 0] m;", ""),
-        &[("[1, 0, 0]", "expected a length: a single number")],
+        &[("[1, 0, 0]", "expected a length as a single number, found a vector")],
     );
     expect_all(
         &line("slider", "", "").replace("1 m ->", "1 m turned 2 ->"),
-        &[("2", "nothing is turned in a line chain")],
+        &[("2", "a line chain has no orientations: remove `turned …`")],
     );
     expect_all(
         &line("slider", "", "load push { on = last; torque = 1; }"),
@@ -96,7 +96,11 @@ fn ends_are_at_the_ends() {
     expect(
         "ground -> pin(z) shoulder",
         "moving shoulder -> pin(z) a",
-        &[("shoulder", "nothing can be said of `shoulder`: its motion is given at each step")],
+        &[(
+            "shoulder",
+            "`shoulder` is a moving end and has no properties: its motion is given at \
+                        each step",
+        )],
     );
     expect(
         "ground -> pin(z) shoulder",
@@ -108,7 +112,7 @@ fn ends_are_at_the_ends() {
         ground -> weld a -> Rod -> pin b -> moving c;
         hinge b { motion = input; }
     }";
-    expect_all(source, &[("moving", "… no hinge between them is free to move")]);
+    expect_all(source, &[("moving", "… welds or prescribed: …")]);
     expect_all(&source.replace("hinge b { motion = input; }", ""), &[]);
 }
 
@@ -138,12 +142,12 @@ fn loads_are_complete() {
     );
     expect_load(
         "load push, pull { on = rod; force = input; }",
-        &[("pull", "a block describes one load")],
+        &[("pull", "a block describes one load: write a block for each")],
     );
     expect(
         "ground ->",
         "load push { on = rod; force = input; } ground ->",
-        &[("load", "loads are described after the route")],
+        &[("load", "write a load after the route")],
     );
 }
 
@@ -156,7 +160,7 @@ fn loads_act_at_points_of_bodies() {
     );
     expect_load(
         "load push { on = wrist; force = input; }",
-        &[("wrist", "`wrist` is a hinge: only a body can be pulled at")],
+        &[("wrist", "`wrist` is a hinge: name the body that the force acts on")],
     );
     expect_load(
         "load push { on = 3; force = input; }",
@@ -166,8 +170,11 @@ fn loads_act_at_points_of_bodies() {
         &at("inptu"),
         &[("inptu", "body `Rod` has no point `inptu`; did you mean `input`?")],
     );
-    expect_load(&at("output"), &[("output", "body `Rod` has no output")]);
-    expect_load(&at("[1, 2] m"), &[("[1, 2]", "… 3 components, here are 2")]);
+    expect_load(
+        &at("output"),
+        &[("output", "body `Rod` has no output: give its type an `output`")],
+    );
+    expect_load(&at("[1, 2] m"), &[("[1, 2]", "expected 3 components …, found 2")]);
     expect_load(
         "load push { on = rod; force = input; axes = bdy; }",
         &[("bdy", "expected `inertial` or `body`, found `bdy`; did you mean `body`?")],
@@ -190,7 +197,7 @@ fn loads_act_at_points_of_bodies() {
     expect(
         "hinge wrist {",
         "hinge wrist { point tip = [1, 0, 0];",
-        &[("tip", "points are described with a type of body, before the route")],
+        &[("tip", "write points in the block of a type of body, before the route")],
     );
 }
 
@@ -204,7 +211,7 @@ fn names_of_loads_are_free() {
     );
     expect_load(
         &[load("push"), load("push_force")].concat(),
-        &[("push_force", "`push_force` is what an input …")],
+        &[("push_force", "`push_force` is reserved …")],
     );
 }
 
@@ -220,7 +227,7 @@ fn repeats_are_well_formed() {
     let rest = "-> Cube upper ->";
     let good = format!("{rest} repeat 3 {{ ball a -> Cube b }} -> weld w -> Rod rod;");
     expect_all(&route(&good), &[]);
-    let count = "how many times is …";
+    let count = "expected a repeat count from …";
     for wrong in ["0", "1.5", "10_000_001", "2kg", "\"3\"", "'a'", "99999999999999999999999"] {
         expect_all(
             &route(&good.replace("repeat 3", &format!("repeat {wrong}"))),
@@ -229,11 +236,11 @@ fn repeats_are_well_formed() {
     }
     expect_all(
         &route(&good.replace("repeat 3", "repeat N")),
-        &[("N", "expected how many times, a number, found `N`")],
+        &[("N", "expected a repeat count, found `N`")],
     );
     expect_all(
         &route(&good.replace("repeat 3", "repeat -3")),
-        &[("-", "expected how many times, a number, found `-`")],
+        &[("-", "expected a repeat count, found `-`")],
     );
     expect_all(
         &route(&good.replace("{ ball a -> Cube b }", "")),
@@ -241,7 +248,7 @@ fn repeats_are_well_formed() {
     );
     expect_all(
         &route(&good.replace("ball a -> Cube b", "")),
-        &[("{  }", &format!("nothing is repeated here: {example}"))],
+        &[("{  }", &format!("this `repeat` is empty: {example}"))],
     );
     expect_all(
         &route(&good.replace("ball a -> Cube b", "ball a -> Cube b -> ball c")),
@@ -282,10 +289,11 @@ fn parameters_with_many_numbers_belong_to_one_repeated_part() {
         expect_all(&source, errors);
     };
     expect_rope(3, "1 kg", "m", &[]);
-    let count = "`m` has 3 numbers for a part that is repeated 2 times";
+    let count = "`m` has 3 values, but its part is repeated 2 times: write the same count in both";
     expect_rope(2, "1 kg", "m", &[("m", count)]);
-    let outside = "`m` has 3 numbers: only a part that is repeated as often can use it";
+    let outside = "`m` has 3 values: only a part that is repeated as many times can use it";
     expect_rope(3, "m", "1 kg", &[("m", outside)]);
-    let both = "`m` has a number for every time of one repeated part, and is used elsewhere too";
+    let both = "`m` has one value for each repetition of a part, and is used elsewhere too: \
+                write a separate parameter for the other uses";
     expect_rope(3, "m", "m", &[("m", both)]);
 }

@@ -25,7 +25,15 @@ fn parentheses_hold_what_a_kind_needs() {
         "",
         &[("w", "expected an axis: … or `[a, b, c]`"), ("s", "expected a pitch, found a time")],
     );
-    expect_hinge("screw(x)", "", &[("x", "`screw` needs a pitch too: `screw(z, 5 mm/rev)`")]);
+    expect_hinge(
+        "screw(x)",
+        "",
+        &[(
+            "x",
+            "`screw` needs a pitch as well: write `screw(z, 5 \
+                                          mm/rev)`",
+        )],
+    );
     expect_hinge("screw(5 mm/rev, x)", "", &[("x", "the axis comes first: `screw(z, 5 mm/rev)`")]);
     expect_hinge(
         "cylindrical()",
@@ -37,8 +45,20 @@ fn parentheses_hold_what_a_kind_needs() {
         "",
         &[("(x, y)", "a planar hinge has one normal, such as `planar(z)`")],
     );
-    expect_hinge("floating(x)", "", &[("(x)", "`floating` takes nothing in parentheses")]);
-    expect_hinge("elastic(x)", "", &[("(x)", "`elastic` takes nothing in parentheses")]);
+    expect_hinge(
+        "floating(x)",
+        "",
+        &[(
+            "(x)",
+            "`floating` has no arguments: remove the \
+                                               parentheses",
+        )],
+    );
+    expect_hinge(
+        "elastic(x)",
+        "",
+        &[("(x)", "`elastic` has no arguments: remove the parentheses")],
+    );
 }
 
 #[test]
@@ -68,51 +88,51 @@ fn fields_fit_their_group() {
     expect_hinge(
         "slider",
         "damping = 1 N*m*s/rad;",
-        &[("N*m*s/rad", "expected a damping, `N*s/m`, found a damping of turns")],
+        &[("N*m*s/rad", "expected a damping, `N*s/m`, found a rotational damping")],
     );
     expect_hinge(
         "pin",
         "stiffness = 1 N/m;",
-        &[("N/m", "expected a stiffness of turns, `N*m/rad`, found a stiffness")],
+        &[("N/m", "expected a rotational stiffness, `N*m/rad`, found a stiffness")],
     );
     expect_hinge(
         "ball",
         "stiffness = [1, 2, 3];",
-        &[("[1, 2, 3]", "expected a stiffness of turns: a single number")],
+        &[("[1, 2, 3]", "expected a rotational stiffness as a single number, found a vector")],
     );
     expect_hinge("universal", "start = 3;", &[("3", "expected a vector …, found a number")]);
     expect_hinge(
         "universal",
         "start = [1, 2, 3];",
-        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, here are 3")],
+        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, found 3")],
     );
     expect_hinge(
         "planar",
         "stiffness = [1, 2, 3];",
-        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, here are 3")],
+        &[("[1, 2, 3]", "expected 2 numbers `[a, b]`, found 3")],
     );
     expect_hinge(
         "pin",
         "start = 1 turned 2;",
-        &[("1 turned 2", "expected an angle, found a turned frame")],
+        &[("1 turned 2", "expected an angle, found a rotated frame")],
     );
     expect_hinge(
         "elastic",
         "start = [0, 0, 0] m turned quaternion(1, 0, 0, 0);",
         &[(
             "quaternion(1, 0, 0, 0)",
-            "an elastic hinge is turned by its angles: `rpy(roll, pitch, yaw)`",
+            "the rotation of an elastic hinge is given by angles: write `rpy(roll, pitch, yaw)`",
         )],
     );
     expect_hinge(
         "pin",
         "limits = 3; limit_stiffness = 1;",
-        &[("3", "limits are two: `[lowest, highest]`, found a number")],
+        &[("3", "expected two limits `[lowest, highest]`, found a number")],
     );
     expect_hinge(
         "ball",
         "limits = [1, 2]; limit_stiffness = 1;",
-        &[("[1, 2]", "expected an angle: a single number")],
+        &[("[1, 2]", "expected an angle as a single number, found a vector")],
     );
 }
 
@@ -121,17 +141,17 @@ fn friction_and_limits_are_complete() {
     expect_hinge(
         "pin",
         "friction_speed = 1;",
-        &[("friction_speed", "`friction_speed` needs `friction` beside it")],
+        &[("friction_speed", "`friction_speed` needs `friction` as well")],
     );
     expect_hinge(
         "floating",
         "turning_limits = 1;",
-        &[("turning_limits", "`turning_limits` needs `turning_limit_stiffness` beside it")],
+        &[("turning_limits", "`turning_limits` needs `turning_limit_stiffness` as well")],
     );
     expect_hinge(
         "ball",
         "limit_damping = 1;",
-        &[("limit_damping", "`limit_damping` needs `limits` beside it")],
+        &[("limit_damping", "`limit_damping` needs `limits` as well")],
     );
     // A misspelt one is not missed.
     expect_hinge(
@@ -179,28 +199,32 @@ fn passive_numbers_give_no_energy() {
         "hinge shoulder, wrist { damping = -1; friction = 2; } hinge wrist {",
         &[
             ("-1", "a damping cannot be negative"),
-            ("friction", "`friction` needs `friction_speed` beside it"),
+            ("friction", "`friction` needs `friction_speed` as well"),
         ],
     );
 }
 
 #[test]
 fn a_given_motion_stands_alone() {
-    let message =
-        |name: &str| format!("`{name}` says nothing here: the motion is given at each step");
+    let message = |name: &str| {
+        format!(
+            "`{name}` has no effect: `motion = input` prescribes the motion of \
+                              this hinge"
+        )
+    };
     expect_hinge(
         "ball",
         "motion = input; torque = [1, 0, 0]; start_rate = [1, 0, 0];",
         &[("torque", &message("torque")), ("start_rate", &message("start_rate"))],
     );
     expect_hinge("slider", "motion = input; start = 1;", &[("start", &message("start"))]);
-    expect_hinge("slider", "motion = 3;", &[("3", "expected `input`, …")]);
+    expect_hinge("slider", "motion = 3;", &[("3", "expected `input` …")]);
     expect_hinge("weld", "motion = input;", &[("motion", "a weld has no field `motion`")]);
 }
 
 #[test]
 fn elastic_hinges_do_not_stand_upright() {
-    let message = "the pitch of an elastic hinge …";
+    let message = "the pitch angle of an elastic hinge …";
     expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(0, 90, 0) deg;", &[("90", message)]);
     expect_hinge(
         "elastic",

@@ -27,28 +27,28 @@ fn terms_have_one_dimension() {
     expect_mass("1 kg + 2 m", &[("m", "expected a mass, found a length")]);
     expect_mass(
         "1 kg + 2",
-        &[("2", "a number without a unit in a sum with a mass; only 0 needs none")],
+        &[("2", "this number has no unit, but is in a sum with a mass: write its unit")],
     );
     expect_mass(
         "1 kg + ratio",
-        &[("ratio", "a number without a unit in a sum with a mass; only 0 needs none")],
+        &[("ratio", "this number has no unit, but is in a sum with a mass: write its unit")],
     );
 }
 
 #[test]
 fn a_unit_closes_its_product() {
-    let message = "a unit closes a product: …";
+    let message = "a unit ends a product: …";
     expect_mass("2 kg * 3", &[("*", message)]);
-    let message = "a unit closes a product: write `(… kg) / …` to go on after it";
+    let message = "a unit ends a product: write `(… kg) / …` to continue it";
     expect_mass("2 kg / (3 m)", &[("/", message)]);
     let message = "… not `2 m * ratio`";
     expect_mass("2 kg * ratio", &[("ratio", message)]);
-    let message = "a unit closes a product: write `(2 m) * MASS`, not `2 m * MASS`";
+    let message = "a unit ends a product: write `(2 m) * MASS`, not `2 m * MASS`";
     expect_mass("2 kg * MASS", &[("MASS", message)]);
-    let message = "this is a mass already: …";
+    let message = "this expression is a mass already: …";
     expect_mass("(2 kg) g", &[("kg", message)]);
     expect_mass("payload kg", &[("payload", message)]);
-    let message = "this is a length already: …";
+    let message = "this expression is a length already: …";
     expect("output = [1, 0, 0] m", "output = [1 mm, 0, 0] m", &[("mm", message)]);
 }
 
@@ -56,28 +56,32 @@ fn a_unit_closes_its_product() {
 fn units_are_known() {
     expect_mass("1kq", &[("1kq", "unknown unit `kq`")]);
     expect_mass("1f64", &[("1f64", "numbers have no type here: …")]);
-    expect_mass("1 kg^99", &[("99", "a power is a whole number up to 9")]);
-    expect_mass("1 kg^0.5", &[("0.5", "a power is a whole number up to 9")]);
+    expect_mass("1 kg^99", &[("99", "expected a whole power up to 9")]);
+    expect_mass("1 kg^0.5", &[("0.5", "expected a whole power up to 9")]);
 }
 
 #[test]
 fn names_are_known() {
     expect_mass("paylod", &[("paylod", "unknown name `paylod`; did you mean `payload`?")]);
-    let other = "`T` stands for the numbers of a chain; reach it by another path";
+    let other = "`T` is the scalar type of a chain here: name the constant by another path";
     expect_mass("T::M", &[("T::M", other)]);
-    expect_mass("Self::M", &[("Self", "`Self` is not known here; …")]);
+    expect_mass("Self::M", &[("Self", "`Self` is not known here: …")]);
     expect_mass("data::fn", &[("fn", "expected a name, found `fn`")]);
     expect_mass("dyn::M", &[("dyn", "expected a name, found `dyn`")]);
     // Two signs in Rust, which a path would take with it into the code.
     expect_mass("data: :MASS", &[(":", "expected `;`, found `:`")]);
-    expect_mass("a::m(1)", &[("(1)", "functions of Rust cannot be called here; …")]);
+    expect_mass("a::m(1)", &[("(1)", "Rust functions cannot be called here: …")]);
     expect_mass("2 * srqt(4)", &[("srqt", "unknown function `srqt`; did you mean `sqrt`?")]);
-    expect_mass("sqrt(4, 5)", &[("sqrt(4, 5)", "`sqrt` takes one number")]);
+    expect_mass("sqrt(4, 5)", &[("sqrt(4, 5)", "`sqrt` has one argument")]);
     expect_mass("sqrt(4 kg)", &[("kg", "a mass has no square root")]);
     expect(
         "= 0.5 kg",
         "= ratio",
-        &[("ratio", "the default of a parameter cannot use a parameter")],
+        &[(
+            "ratio",
+            "the default of a parameter cannot use a parameter: write numbers or Rust \
+                     constants",
+        )],
     );
 }
 
@@ -117,10 +121,11 @@ fn errors_beside_each_other_are_all_reported() {
 fn depth_and_length_have_limits() {
     let nested = |depth: usize| format!("{}1{}", "(".repeat(depth), ")".repeat(depth));
     expect_mass(&nested(28), &[]);
-    let too_deep = "more than 32 groups within each other";
+    let too_deep = "more than 32 nested groups";
     expect_mass(&nested(150), &[("(", too_deep)]);
     expect_mass(&format!("{} 1", "-".repeat(10_000)), &[]);
-    let error = "more than 256 parts in one sum or product";
+    let error = "more than 256 terms or factors in one formula: write a part of it as a Rust \
+                 `const`";
     expect_mass(&vec!["MASS"; 257].join(" + "), &[("MASS", error)]);
     expect_mass(&vec!["MASS"; 257].join(" * "), &[("MASS", error)]);
 }
@@ -132,14 +137,21 @@ fn powers_have_limits() {
     expect_mass(&tower("1"), &[]);
     let found = super::errors_in(&super::edited(&[("2 kg", &tower("MASS"))]));
     assert_eq!(found.len(), 1);
-    assert_eq!(found[0].1, "this formula is too long; give a part of it as a `const`");
+    assert_eq!(found[0].1, "this formula is too long: write a part of it as a Rust `const`");
     let found = super::errors_in(&super::edited(&[("2 kg", &tower("(1 m)"))]));
     assert_eq!(found.len(), 1);
 }
 
 #[test]
 fn what_is_no_number_says_what_it_is() {
-    expect_mass("[1, 2, 3] kg", &[("[1, 2, 3]", "expected a mass: a single number")]);
+    expect_mass(
+        "[1, 2, 3] kg",
+        &[(
+            "[1, 2, 3]",
+            "expected a mass as a single number, found a \
+                                                 vector",
+        )],
+    );
     expect_mass("\"2\"", &[("\"2\"", "write it without quotes")]);
     expect_mass("diag(1, 2, 3) kg", &[("diag(1, 2, 3)", "expected a mass, found `diag(…)`")]);
     expect_mass("1 kg kg", &[("kg", "units multiply with `*`: `kg*kg`")]);
@@ -147,12 +159,12 @@ fn what_is_no_number_says_what_it_is() {
 
 #[test]
 fn what_is_written_otherwise_elsewhere_is_known() {
-    expect_mass("1,5 kg", &[(",", "decimals are written with a point")]);
-    expect_mass("2**3 kg", &[("*", "powers are written `^`")]);
-    expect_mass("2 kg**2", &[("*", "powers are written `^`")]);
-    expect_mass("(1, 2, 3) kg", &[("(", "vectors are written `[x, y, z]`")]);
+    expect_mass("1,5 kg", &[(",", "write decimals with a point")]);
+    expect_mass("2**3 kg", &[("*", "write powers with `^`")]);
+    expect_mass("2 kg**2", &[("*", "write powers with `^`")]);
+    expect_mass("(1, 2, 3) kg", &[("(", "write vectors as `[x, y, z]`")]);
     expect_mass("let x = 1", &[("let", "expected a number, found `let`")]);
-    let inside = "signs and factors go inside the brackets";
+    let inside = "write signs and factors inside the brackets";
     let output = "[1, 0, 0] m;\n            inertia";
     let rest = "inertia";
     expect(output, &format!("-[1, 0, 0] m; {rest}"), &[("[1, 0, 0]", inside)]);
@@ -162,20 +174,20 @@ fn what_is_written_otherwise_elsewhere_is_known() {
     let tensor = "diag(0, 1/6, 1/6) kg*m^2 about com";
     expect(tensor, &format!("2 * {tensor}"), &[("diag", inside)]);
     expect(tensor, "diag(0, 1/6, 1/6) * 2 about com", &[("*", inside)]);
-    expect(output, &format!("(1, 0, 0) m; {rest}"), &[("(", "vectors are written `[x, y, z]`")]);
+    expect(output, &format!("(1, 0, 0) m; {rest}"), &[("(", "write vectors as `[x, y, z]`")]);
 }
 
 #[test]
 fn units_have_no_parentheses() {
-    let message = |unit: &str| format!("units have no parentheses: `{unit}`");
+    let message = |unit: &str| format!("write the unit without parentheses: `{unit}`");
     let gravity = "[0, -9.8, 0] m/s^2";
     expect(gravity, "[0, -9.8, 0] m/(s^2)", &[("(s^2)", &message("m/s^2"))]);
     expect(gravity, "[0, -9.8, 0] (m/s^2)", &[("(m/s^2)", &message("m/s^2"))]);
     expect_mass("1 N*m/(rad/s)^2", &[("(rad/s)", &message("N*m*s^2/rad^2"))]);
     // Not a unit.
-    let closes = "a unit closes a product: write `(2 m) * payload`, not `2 m * payload`";
+    let closes = "a unit ends a product: write `(2 m) * payload`, not `2 m * payload`";
     expect_mass("1 kg / (payload)", &[("payload", closes)]);
-    let closes = "a unit closes a product: write `(… km/h) / …` to go on after it";
+    let closes = "a unit ends a product: write `(… km/h) / …` to continue it";
     expect_mass("1 km/h / (3 m)", &[("/", closes)]);
 }
 
@@ -204,14 +216,15 @@ fn functions_are_known() {
 #[test]
 fn the_expected_kind_decides_which_term_is_wrong() {
     expect_mass("1 m + 1 kg", &[("m", "expected a mass, found a length")]);
-    expect_mass("1 m + 2 s", &[("s", "a length and a time do not belong in a sum")]);
+    expect_mass("1 m + 2 s", &[("s", "a length and a time cannot be in a sum")]);
 }
 
 #[test]
 fn input_stands_alone() {
     let torque = "torque = input;";
     expect(torque, "torque = input N*m;", &[("N*m", "`input` stands alone")]);
-    let message = "`input` stands alone, and only where something is given at each step";
+    let message = "`input` cannot be part of a formula: it stands for a whole field that is \
+                   given at each step";
     expect(torque, "torque = 2 * input;", &[("input", message)]);
     expect_mass("input", &[("input", message)]);
     expect(

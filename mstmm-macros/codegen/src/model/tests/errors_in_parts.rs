@@ -46,7 +46,7 @@ fn vectors_have_three_components() {
     expect(
         "[0, 0.1, 0] rad/s",
         "[0, 0.1, 0] rad/s turned rpy(0, 0, 1)",
-        &[("rpy(0, 0, 1)", "nothing is turned here; `[x, y, z]` is enough")],
+        &[("rpy(0, 0, 1)", "a vector has no orientation: write only `[x, y, z]`")],
     );
 }
 
@@ -68,7 +68,7 @@ fn orientations_are_well_formed() {
     expect(
         output,
         &turned("rpy(0, 0, 1) about com"),
-        &[("com", "only an inertia is about a point")],
+        &[("com", "only an inertia has a reference point: remove `about …`")],
     );
     let unit = "the components of a quaternion have no unit; for angles write `rpy(…)`";
     expect(output, &turned("quaternion(1, 0, 0, 0) deg"), &[("deg", unit)]);
@@ -114,7 +114,7 @@ fn inertias_are_those_of_real_bodies() {
         "diag(1, -1, 1) kg*m^2 about com",
         &[("-1", "a moment of inertia cannot be negative")],
     );
-    let message = "no body has this inertia: …";
+    let message = "no real body has this inertia: …";
     expect(written, "diag(0, 1/6, 1/5) about com", &[("diag(0, 1/6, 1/5)", message)]);
     expect(
         written,
@@ -142,7 +142,7 @@ fn properties_fit_their_owner() {
     expect(
         "hinge wrist {",
         "body wrist {",
-        &[("wrist", "`wrist` is a hinge: `hinge wrist { … }`")],
+        &[("wrist", "`wrist` is a hinge: write `hinge wrist { … }`")],
     );
     // Shared by two hinges, reported once.
     expect(
@@ -162,9 +162,17 @@ fn parts_stand_in_their_places() {
     expect(
         "hinge wrist {",
         "body Foo { mass = 1 kg; com = [0, 0, 0]; } hinge wrist {",
-        &[("Foo", "a type of body …")],
+        &[("Foo", "write the block of a type of body …")],
     );
-    expect("body Rod {", "body Rod, Stick {", &[("Stick", "a block describes one type of body")]);
+    expect(
+        "body Rod {",
+        "body Rod, Stick {",
+        &[(
+            "Stick",
+            "a block describes one type of body: \
+        write a block for each",
+        )],
+    );
 }
 
 #[test]
@@ -240,7 +248,7 @@ fn matrices_of_inertia_are_symmetric() {
     let ratio = |other: &str| matrix(&format!("[1, ratio/9, 0], [{other}, 1, 0], [0, 0, 1]"));
     expect(written, &ratio("ratio/9"), &[]);
     expect(written, &ratio("0.2"), &[("0.2", "an inertia is symmetric: `yx` must equal `xy`")]);
-    let shape = "a matrix is written `matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])`";
+    let shape = "write a matrix as `matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])`";
     expect(written, &matrix("[1, 0, 0], [0, 1]"), &[("[0, 1]", shape)]);
     expect(written, &matrix("[1, 0, 0], [0, 1, 0]"), &[("([1, 0, 0], [0, 1, 0])", shape)]);
     expect(written, "[[1, 0, 0], [0, 1, 0], [0, 0, 1]] about com", &[("[", shape)]);
@@ -249,7 +257,7 @@ fn matrices_of_inertia_are_symmetric() {
         &matrix("[1, 0, 0], [0, -1, 0], [0, 0, 1]"),
         &[("-1", "a moment of inertia cannot be negative")],
     );
-    let round = "an inertia is `diag(xx, yy, zz)`, with round parentheses";
+    let round = "write an inertia as `diag(xx, yy, zz)`, with round parentheses";
     expect(written, "[0, 1, 1] kg*m^2 about com", &[("[", round)]);
     expect(
         written,

@@ -3,7 +3,7 @@
 use super::each_error_once::{ITEMS, expect_rods};
 use super::{expect, expect_all};
 
-const BODY_BETWEEN: &str = "; put one there, with a mass, however small";
+const BODY_BETWEEN: &str = "; add a body there, with a small mass";
 
 /// Hinges in a row.
 #[track_caller]
@@ -14,7 +14,7 @@ fn expect_row(hinges: &str, at: &str, message: &str) {
 #[test]
 fn hinges_in_a_row_may_be_one() {
     let two = |advice: &str| format!("hinges `a` and `b` have no body between them{advice}");
-    let one = |kind: &str| two(&format!("; one hinge `{kind}` does the same"));
+    let one = |kind: &str| two(&format!("; write one hinge `{kind}` instead"));
     expect_row("pin(x) a -> pin([0, 1, 1]) b", "b", &one("universal"));
     expect_row("slider(x) a -> pin(-x) b", "b", &one("cylindrical"));
     expect_row("pin([0, 2, 0]) a -> slider(y) b", "b", &one("cylindrical"));
@@ -22,7 +22,7 @@ fn hinges_in_a_row_may_be_one() {
     expect_row("pin(x) a -> slider(y) b", "b", &two(BODY_BETWEEN));
     expect_row("ball a -> pin(y) b", "b", &two(BODY_BETWEEN));
     let three = "hinges `a`, `b` and `c` have no body between them";
-    let ball = format!("{three}; one hinge `ball` does the same");
+    let ball = format!("{three}; write one hinge `ball` instead");
     expect_row("pin(x) a -> pin(y) b -> pin(z) c", "b", &ball);
     expect_row("pin(x) a -> pin(y) b -> pin(x) c", "b", &format!("{three}{BODY_BETWEEN}"));
 }
@@ -42,7 +42,11 @@ fn hinges_and_bodies_alternate() {
         "-> Rod rod -> Rod end",
         &[
             ("Rod", "body `Rod` needs `output`"),
-            ("end", "bodies `rod` and `end` have no hinge between them"),
+            (
+                "end",
+                "bodies `rod` and `end` have no hinge between them: add one, such as `weld \
+                     name`",
+            ),
         ],
     );
     expect(
@@ -60,21 +64,29 @@ fn hinges_and_bodies_alternate() {
         "ground -> Rod shoulder -> ball x ->",
         &[
             ("Rod", "body `Rod` needs `output`"),
-            ("shoulder", "`ground` and body `shoulder` have no hinge between them"),
-            ("shoulder", "`shoulder` is a body: `body shoulder { … }`"),
+            (
+                "shoulder",
+                "`ground` and body `shoulder` have no hinge between them: add one, such \
+                          as `weld name`",
+            ),
+            ("shoulder", "`shoulder` is a body: write `body shoulder { … }`"),
         ],
     );
 }
 
 #[test]
 fn ends_are_free_or_held() {
-    expect("-> Rod rod;", "-> Rod rod -> pin last;", &[("last", "hinge `last` joins nothing: …")]);
+    expect(
+        "-> Rod rod;",
+        "-> Rod rod -> pin last;",
+        &[("last", "hinge `last` connects nothing: …")],
+    );
     expect(
         "ground -> pin",
         "pin",
         &[(
             "shoulder",
-            "hinge `shoulder` joins nothing: begin the route with a body or with `ground`",
+            "hinge `shoulder` connects nothing: begin the route with a body or with `ground`",
         )],
     );
     expect(
@@ -86,7 +98,14 @@ fn ends_are_free_or_held() {
 
 #[test]
 fn there_is_one_route_with_a_body() {
-    expect_all("chain Empty { ground -> pin j; }", &[("ground", "there is no body on the route")]);
+    expect_all(
+        "chain Empty { ground -> pin j; }",
+        &[(
+            "ground",
+            "the route has no body: add at \
+        least one",
+        )],
+    );
 }
 
 #[test]
@@ -104,13 +123,25 @@ fn stops_are_known() {
     expect(
         "body Rod {",
         "body Beam { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } body Rod {",
-        &[("Beam", "body `Beam` is not on the route")],
+        &[(
+            "Beam",
+            "type `Beam` is not used on the route: add a body of this type, or remove the \
+                    block",
+        )],
     );
 }
 
 #[test]
 fn stops_are_well_formed() {
-    expect("Cube upper", "Cube(1) upper", &[("(1)", "a body takes nothing in parentheses")]);
+    expect(
+        "Cube upper",
+        "Cube(1) upper",
+        &[(
+            "(1)",
+            "a body has no arguments: remove the \
+                                                     parentheses",
+        )],
+    );
 }
 
 #[test]
@@ -122,7 +153,7 @@ fn a_route_that_cannot_be_read_is_not_judged() {
     );
     expect("Rod rod;", "Rod rod", &[("rod", "expected `;` after this")]);
     expect("Rod rod;", "Rod", &[("Rod", "expected `;` after this")]);
-    expect("upper -> ball", "upper; ball", &[("ball", "… `->` in place of the `;` before this")]);
+    expect("upper -> ball", "upper; ball", &[("ball", "… `->` instead of the `;` before this")]);
     expect("Rod rod;", "Rod rod ->;", &[(";", "expected a hinge, a body or `ground`, found `;`")]);
 }
 
@@ -144,7 +175,7 @@ fn what_is_called_otherwise_elsewhere_is_known() {
         &[("Pin", "unknown kind of hinge `Pin`; did you mean `pin`?")],
     );
     for ground in ["world", "base", "Ground"] {
-        let message = format!("unknown stop `{ground}`; did you mean `ground`?");
+        let message = format!("unknown route item `{ground}`; did you mean `ground`?");
         expect_rods(&format!("{ground} -> pin j -> Rod rod;"), &[(ground, &message)]);
     }
     // Beside it nothing is judged.
@@ -182,21 +213,21 @@ fn what_a_kind_takes_stands_in_parentheses_behind_it() {
 
 #[test]
 fn stops_are_joined_by_arrows() {
-    let message = "stops are joined by `->`";
+    let message = "join the items of a route by `->`";
     expect_rods("ground => pin j => Rod rod;", &[("=", message)]);
     expect_rods("ground - pin j -> Rod rod;", &[("-", message)]);
     expect_rods("ground, pin j, Rod rod;", &[(",", message)]);
     expect_rods(
         "pin j => Rod rod => pin k;",
         &[
-            ("j", "hinge `j` joins nothing: begin the route with a body or with `ground`"),
+            ("j", "hinge `j` connects nothing: begin the route with a body or with `ground`"),
             ("=", message),
-            ("k", "hinge `k` joins nothing: end the route with a body or with `ground`"),
+            ("k", "hinge `k` connects nothing: end the route with a body or with `ground`"),
         ],
     );
     expect_rods(
         "route = ground -> pin j -> Rod rod;",
-        &[("route", "the route stands alone: `ground -> …`")],
+        &[("route", "the route has no name: write only `ground -> …`")],
     );
 }
 
@@ -213,7 +244,7 @@ fn what_stands_beside_the_route_is_no_second_one() {
         expect_rods(&format!("{stray} {route}"), &[(word, &message)]);
         expect_rods(&format!("{route} {stray}"), &[(word, &message)]);
     }
-    let place = "where the ground is stands on the route: `ground at [x, y, z] turned …`";
+    let place = "write the position of the ground on the route: `ground at [x, y, z] turned …`";
     expect_rods(&format!("{route} ground {{ at = [1, 0, 0]; }}"), &[("ground", place)]);
     expect_rods(&format!("ground {{ at = [1, 0, 0]; }} {route}"), &[("ground", place)]);
     expect_rods(&format!("# the route\n{route}"), &[("#", "a comment begins with `//`")]);
@@ -221,7 +252,7 @@ fn what_stands_beside_the_route_is_no_second_one() {
 
 #[test]
 fn moving_ends_have_no_place() {
-    let message = "a moving end has no place: its motion is given at each step";
+    let message = "a moving end has no position: its motion is given at each step";
     expect_rods("moving deck at [1, 0, 0] -> pin j -> Rod rod;", &[("at", message)]);
     expect_rods("moving deck turned rpy(0, 0, 1) -> pin j -> Rod rod;", &[("turned", message)]);
     expect_rods(

@@ -20,7 +20,7 @@ fn names_are_used_once() {
         "Rod upper_mut",
         &[("upper_mut", "`upper_mut` and `upper` both have a method `upper_mut`")],
     );
-    expect("body Rod {", "body Cube {", &[("Cube", "body `Cube` is described twice")]);
+    expect("body Rod {", "body Cube {", &[("Cube", "type of body `Cube` is described twice")]);
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn names_are_free() {
         expect("Rod rod", body, &[(name, &message)]);
     }
     expect("Rod rod", "Rod r#fn", &[("r#fn", "`r#fn` is a keyword …")]);
-    expect("body Rod {", "body pin {", &[("pin", "`pin` is a word …")]);
+    expect("body Rod {", "body pin {", &[("pin", "`pin` is a keyword …")]);
 }
 
 #[test]
@@ -42,7 +42,7 @@ fn items_are_known() {
     expect(
         "param ratio",
         "#[cfg(a)] param ratio",
-        &[("#[cfg(a)]", "only doc comments may stand here")],
+        &[("#[cfg(a)]", "only doc comments are allowed here")],
     );
     expect("body Rod {", "body {", &[("{", "expected a name, found `{`")]);
     let source = format!("{PENDULUM} nonsense");
@@ -51,9 +51,9 @@ fn items_are_known() {
 
 #[test]
 fn dimensions_are_known() {
-    let message = "before `chain` stands `space`, `plane`, `line` or nothing";
+    let message = "expected `space`, `plane`, `line` or nothing before `chain`";
     let hint = format!("{message}; did you mean `plane`?");
-    let empty = "chain `A` has no route";
+    let empty = "chain `A` has no route: write one, as in `ground -> slider joint -> Car car;`";
     expect_all("planar chain A { }", &[("planar", &hint), ("A", empty)]);
     // Nothing can be judged in an unknown number of directions.
     expect_all("two chain A { }", &[("two", message)]);
@@ -75,7 +75,7 @@ fn all_errors_of_all_phases_are_reported() {
             ("B", "body `B` needs `output`"),
             ("-1 kg", "a mass must be positive"),
             ("0", "expected `,`, found `0`"),
-            ("diag(1, 1, 3)", "no body has this inertia: …"),
+            ("diag(1, 1, 3)", "no real body has this inertia: …"),
             ("b", "the name `b` is used twice"),
             ("m", "expected an angle, found a length"),
             ("l", "no hinge `l` on the route"),
@@ -86,7 +86,7 @@ fn all_errors_of_all_phases_are_reported() {
 #[test]
 fn words_that_items_begin_with_are_no_names() {
     for word in ["hinge", "body", "param", "ground"] {
-        let message = format!("`{word}` is a word of this language and cannot be a name");
+        let message = format!("`{word}` is a keyword of this language and cannot be a name");
         let errors = &[(word, message.as_str())];
         expect_rods(&format!("ground -> pin {word} -> Rod rod;"), errors);
         expect_rods(&format!("ground -> pin j -> Rod {word}; hinge j {{ start = 1; }}"), errors);

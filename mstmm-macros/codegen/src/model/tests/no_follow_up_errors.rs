@@ -57,7 +57,7 @@ fn misspelt_items_are_read_as_what_is_meant() {
     );
     expect_rods(
         "ground -> repat 3 { pin j -> Rod rod }; hinge j { start = 1; }",
-        &[("repat", "unknown stop `repat`; did you mean `repeat`?")],
+        &[("repat", "unknown route item `repat`; did you mean `repeat`?")],
     );
     expect_rods(
         "ground -> pin z j -> Rod rod; hinge j { start = 1; }",
@@ -82,7 +82,7 @@ fn stops_behind_an_error_are_known() {
     );
     expect_rods(
         "ground -> repeat many { pin j -> Rod rod } -> pin k -> Rod end; hinge j, k { start = 1; }",
-        &[("many", "expected how many times, a number, found `many`")],
+        &[("many", "expected a repeat count, found `many`")],
     );
 }
 
@@ -110,7 +110,7 @@ fn a_token_has_one_error() {
     );
     expect_rods(
         "param ground = 1; ground -> pin j -> Rod ground;",
-        &[("ground", "`ground` is a word …"), ("ground", "the name `ground` is used twice")],
+        &[("ground", "`ground` is a keyword …"), ("ground", "the name `ground` is used twice")],
     );
 }
 
@@ -121,7 +121,7 @@ fn a_hinge_that_joins_nothing_needs_no_output() {
             "body Bar {{ mass = 1; com = [1, 0, 0]; {output} inertia = diag(1, 1, 1) about com; }}"
         )
     };
-    let nothing = ("k", "hinge `k` joins nothing: end the route with a body or with `ground`");
+    let nothing = ("k", "hinge `k` connects nothing: end the route with a body or with `ground`");
     let expect = |output: &str, route: &str, errors: &[(&str, &str)]| {
         expect_all(&format!("chain A {{ {} {route} }}", body(output)), errors);
     };
@@ -203,7 +203,7 @@ fn numbers_of_an_unknown_dimension_are_not_judged() {
              ground -> pin j -> Rod rod; }}"
         )
     };
-    let unknown = "before `chain` stands `space`, `plane`, `line` or nothing";
+    let unknown = "expected `space`, `plane`, `line` or nothing before `chain`";
     let meant = format!("{unknown}; did you mean `plane`?");
     let unit = ("furlong", "unknown unit `furlong`");
     expect_all(&chain("plan"), &[("plan", &meant), unit]);

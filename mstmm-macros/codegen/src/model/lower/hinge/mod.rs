@@ -82,7 +82,7 @@ impl Kind {
         let at = SpanRange::token(word.span());
         let value = match (&self.takes, arguments) {
             (ArgumentRule::Needed(_, example), None) => {
-                let message = format!("`{word}` needs more: write it as in `{example}`");
+                let message = format!("`{word}` needs arguments: write it as in `{example}`");
                 return context.refuse(word, message);
             }
             (_, None) => self.plain(context.space),
@@ -102,5 +102,11 @@ fn nothing<T>(
     context: &mut Context,
 ) -> Option<T> {
     let chain = context.of_chain();
-    context.refuse(arguments.extent, format!("`{word}`{chain} takes nothing in parentheses"))
+    context.refuse(
+        arguments.extent,
+        format!(
+            "`{word}`{chain} has no arguments: remove the \
+                                              parentheses"
+        ),
+    )
 }

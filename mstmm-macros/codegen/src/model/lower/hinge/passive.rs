@@ -118,7 +118,7 @@ fn interval(
         ValueSyntax::Vector(list) => context.vector(list, 2, expected)?.try_into().ok(),
         other => {
             let message =
-                format!("limits are two: `[lowest, highest]`, found {}", other.described());
+                format!("expected two limits `[lowest, highest]`, found {}", other.described());
             context.refuse(other.extent(), message)
         }
     }

@@ -103,7 +103,8 @@ fn turned(group: &DofGroup, turn: &OrientationSyntax, context: &mut Context) -> 
         Representation::Angles => match context.turned(turn)? {
             Orientation::Rpy(angles) => Some(angles.to_vec()),
             Orientation::Quaternion(_) => {
-                let message = "an elastic hinge is turned by its angles: `rpy(roll, pitch, yaw)`";
+                let message = "the rotation of an elastic hinge is given by angles: write \
+                               `rpy(roll, pitch, yaw)`";
                 context.refuse(turn.extent(), message)
             }
         },
@@ -133,8 +134,10 @@ fn drive(spec: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Dr
             true => Some(true),
             false => {
                 let found = written.described();
-                let message =
-                    format!("expected `input`, the motion given at each step, found {found}");
+                let message = format!(
+                    "expected `input` for a motion that is given at each step, found \
+                             {found}"
+                );
                 context.refuse(written.extent(), message)
             }
         },

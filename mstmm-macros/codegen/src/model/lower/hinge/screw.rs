@@ -20,7 +20,7 @@ fn plain(space: Dimension) -> Option<HingeKind> {
 fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     let (along, pitch) = match &arguments.values[..] {
         [only] if is_axis(only) => {
-            let message = format!("`screw` needs a pitch too: `{EXAMPLE}`");
+            let message = format!("`screw` needs a pitch as well: write `{EXAMPLE}`");
             return context.refuse(only.extent(), message);
         }
         [pitch] => (Some(unit(2)), pitch),
