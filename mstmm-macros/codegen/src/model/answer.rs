@@ -1,4 +1,4 @@
-//! What can be asked of a chain: each answer is one function of the generated code.
+//! The answers of a chain. Each is one function of the generated code.
 
 /// A function of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,19 +15,19 @@ pub enum Answer {
     CoordinateRates,
     /// Coordinates with quaternions of unit length.
     Normalized,
-    /// Coordinates and rates put back onto the closure.
+    /// Projection of coordinates and rates onto the loop constraints.
     Correction,
-    /// The pivots that tell the rank of the closure.
+    /// The pivots that determine the rank of the loop constraints.
     ClosurePivots,
     /// The state that a simulation starts from.
     Start,
-    /// Efforts that drives must supply so that no rate changes.
+    /// Inverse dynamics at zero accelerations: the efforts that keep all rates constant.
     BiasEfforts,
 }
 
 impl Answer {
-    /// All of them, in the order in which they are computed: new ones go last, so that the text of the others
-    /// stays as it is.
+    /// All answers, in the order in which they are computed. New ones go last, so that the text of
+    /// the others does not change.
     pub const ALL: [Answer; 10] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
@@ -41,7 +41,7 @@ impl Answer {
         Answer::BiasEfforts,
     ];
 
-    /// Its name in texts for people.
+    /// Returns its name in the text of a program.
     pub fn name(self) -> &'static str {
         match self {
             Answer::Accelerations => "accelerations",
@@ -57,7 +57,7 @@ impl Answer {
         }
     }
 
-    /// The word that asks for it in `answers = […];`; none for what every chain answers that can.
+    /// Returns its keyword in `answers = […];`, or `None` if chains have it without asking.
     pub fn word(self) -> Option<&'static str> {
         match self {
             Answer::BiasEfforts => Some(self.name()),

@@ -1,25 +1,26 @@
-//! What must hold of numbers. Known ones are judged at once, parameters by their defaults; what hangs
-//! on Rust constants is left to `const` assertions of the same words at the same place.
+//! Conditions on values. Known values are checked at once, and parameters by their defaults.
+//! Conditions that depend on Rust constants become `const` assertions with the same message and
+//! span.
 
 use super::Value;
 use crate::diag::{Diagnostics, SpanRange};
 
-/// Something that must hold of a number.
+/// A condition on a value.
 #[derive(Clone, Debug)]
 pub struct Condition {
     /// The number.
     pub value: Value,
-    /// What it must be.
+    /// The bound that it must satisfy.
     pub must: Bound,
-    /// What to edit where it does not hold.
+    /// The span to edit if the condition fails.
     pub at: SpanRange,
-    /// What to say then; nothing where that is another condition's.
+    /// The message if the condition fails; `None` if another condition reports it.
     pub message: Option<String>,
-    /// The unit of the number, if that helps who reads the message.
+    /// The unit of the value, if the message shows the value.
     pub shown: Option<&'static str>,
 }
 
-/// What a number must be.
+/// A bound on a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
     /// Neither infinite nor undefined.
@@ -30,12 +31,11 @@ pub enum Bound {
     NotBeNegative,
 }
 
-/// Conditions of which the first that does not hold is reported: those behind it take for granted
-/// that it does.
+/// Conditions of which the first failure is reported: each condition assumes those before it.
 pub type Requirement = Vec<Condition>;
 
 impl Bound {
-    /// Whether it holds. That a number is finite is a condition of its own.
+    /// Returns whether a value satisfies the bound. Finiteness is a separate condition.
     pub fn holds(self, number: f64) -> bool {
         match self {
             Bound::BeFinite => number.is_finite(),
@@ -46,22 +46,22 @@ impl Bound {
 }
 
 impl Condition {
-    /// A condition and what to say where it does not hold.
+    /// Creates a condition with its message.
     pub fn new(value: Value, must: Bound, at: SpanRange, message: impl Into<String>) -> Self {
         Condition { value, must, at, message: Some(message.into()), shown: None }
     }
 
-    /// One that is reported elsewhere.
+    /// Creates a condition that another one reports.
     pub fn silent(value: Value, must: Bound, at: SpanRange) -> Self {
         Condition { value, must, at, message: None, shown: None }
     }
 
-    /// The number is shown with its unit where it comes from parameters.
+    /// Lets the message show the value with its unit if it depends on parameters.
     pub fn shown(self, unit: &'static str) -> Self {
         Condition { shown: Some(unit), ..self }
     }
 
-    /// What to say of a number that breaks it.
+    /// Returns the message for a value that fails the condition.
     fn verdict(&self, number: f64) -> Option<String> {
         let message = self.message.as_ref()?;
         Some(match (self.value.known(), self.shown) {
@@ -75,7 +75,7 @@ impl Condition {
     }
 }
 
-/// Judges what is known, and gives back what is not: what hangs on Rust constants.
+/// Checks the conditions on known values. Returns those that depend on Rust constants.
 pub fn judge(
     requirements: Vec<Requirement>,
     defaults: &[Option<f64>],

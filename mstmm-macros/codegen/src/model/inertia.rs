@@ -1,30 +1,31 @@
-//! Which tensors a body can have.
+//! Inertia tensors that a real body can have.
 
 use super::{About, Dimension, Inertia, Value};
 
-/// How far below zero a second moment may be against the trace of the tensor. Thin rods and flat
-/// plates have second moments of zero, and tensors are often written with two decimals only: this
-/// is what rounding `0.703…` to `0.70` amounts to.
+/// How far below zero a second moment may be, relative to the trace of the tensor. Thin rods and
+/// flat plates have second moments of zero, and tensors are often written with two decimals: this
+/// is the error of rounding `0.703…` to `0.70`.
 const TOLERANCE: f64 = 5e-3;
 
-/// The same about the centre of mass, against the trace of a tensor that is written about the input:
-/// three digits of it.
+/// The same about the centre of mass, relative to the trace of a tensor that is written about the
+/// input with three digits.
 const TOLERANCE_ABOUT_INPUT: f64 = 5e-4;
 
 /// Symmetric: xx, yy, zz, xy, xz, yz.
 type Tensor = [Value; 6];
 
 impl Inertia {
-    /// What must not be negative for a body to have this inertia. A real body has mass nowhere less
-    /// than zero, so its second moments `∫ x xᵀ dm = ½ tr(J) 1 − J` are positive or zero in all
-    /// directions. That is the triangle inequality of its principal moments, about any point.
+    /// Returns the values that are not negative if a body can have this inertia. The mass density
+    /// of a real body is nowhere negative, so its second moments `∫ x xᵀ dm = ½ tr(J) 1 − J` are
+    /// not negative in any direction. This is the triangle inequality of its principal moments,
+    /// about any point.
     pub fn signs(&self, space: Dimension) -> Vec<Value> {
         let slack = Value::number(TOLERANCE).times(trace(space, &self.tensor));
         minors(space, &self.tensor, slack)
     }
 
-    /// The same about the centre of mass, where it is the sharpest; nothing where the tensor is about
-    /// that point already.
+    /// Returns the same about the centre of mass, where it is the sharpest; nothing if the tensor
+    /// is about that point already.
     pub fn central_signs(&self, space: Dimension, mass: &Value, com: &[Value; 3]) -> Vec<Value> {
         if self.about == About::Com {
             return Vec::new();
@@ -43,7 +44,7 @@ fn trace(space: Dimension, [xx, yy, zz, ..]: &Tensor) -> Value {
     }
 }
 
-/// The tensor of the input shifted to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`.
+/// Shifts the tensor from the input to the centre of mass, `J_C = J_I − m (cᵀc 1 − c cᵀ)`.
 fn about_com(tensor: &Tensor, mass: &Value, com: &[Value; 3]) -> Tensor {
     let product = |a: usize, b: usize| com[a].clone().times(com[b].clone());
     let steiner = [
@@ -57,8 +58,8 @@ fn about_com(tensor: &Tensor, mass: &Value, com: &[Value; 3]) -> Tensor {
     std::array::from_fn(|k| tensor[k].clone().minus(mass.clone().times(steiner[k].clone())))
 }
 
-/// What must not be negative for a body to have this tensor: all principal minors of its second
-/// moments `½ tr(J) 1 − J + slack 1`. In a plane the moment itself.
+/// Returns the principal minors of the second moments `½ tr(J) 1 − J + slack 1`, which are not
+/// negative for a real body. In a plane chain it is the moment itself.
 fn minors(space: Dimension, tensor: &Tensor, slack: Value) -> Vec<Value> {
     let [xx, yy, zz, xy, xz, yz] = tensor.clone();
     if space != Dimension::Space {
@@ -98,7 +99,7 @@ mod tests {
         assert!(is_real([0.1, 0.2, 0.1 + 0.2, 0.0, 0.0, 0.0]), "a plate");
         assert!(!is_real([1.0, 1.0, 2.1, 0.0, 0.0, 0.0]));
         assert!(!is_real([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]));
-        // The plate (1, 2, 3) turned by 45° about z, then one that is a little too flat.
+        // The plate (1, 2, 3) rotated by 45° about z, then a plate that is slightly too flat.
         assert!(is_real([1.5, 1.5, 3.0, 0.5, 0.0, 0.0]));
         assert!(!is_real([1.5, 1.5, 3.2, 0.5, 0.0, 0.0]));
         // A rod along (1, 1, 1): trace 2, the tensor is 1 − n nᵀ.

@@ -1,5 +1,5 @@
-//! Where things lie: the order in which motion spreads from the ground, and the places of every
-//! hinge's numbers in the coordinates `q`, the rates `v` and the inputs.
+//! The layout of a chain: its links from the ground outwards, and the ranges of every hinge in the
+//! coordinates `q`, the rates `v` and the inputs.
 
 use super::{
     Attachment, Body, BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId,
@@ -11,31 +11,31 @@ use quote::format_ident;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// A rigid part and the hinge that ties it to where its motion comes from.
+/// A link: bodies that are welded together, and the hinge that connects them to their parent.
 #[derive(Clone, Debug)]
 pub struct Link {
     /// The hinge.
     pub hinge: HingeId,
-    /// The body that the hinge sits on; the part's frame is that body's.
+    /// The body at the hinge; its frame is the frame of the link.
     pub body: BodyId,
-    /// All bodies of the part, that one first: the others are welded to it.
+    /// All bodies of the link, `body` first: the others are welded to it.
     pub members: Vec<BodyId>,
-    /// The link of the part on the hinge's other side; none if that is the ground.
+    /// The link on the other side of the hinge; `None` if that is the ground.
     pub parent: Option<LinkId>,
-    /// Whether the part is on the inboard side of its hinge, as in a chain held at its end.
+    /// Whether the link is on the inboard side of its hinge, as in a chain that is held at its end.
     pub reversed: bool,
-    /// Whether it is a place where a repeated part begins or ends.
+    /// The boundary of a repeated part, if the link is one.
     pub boundary: Option<RepeatBoundary>,
     /// Whether the hinge belongs to a repeated part.
     pub repeated: bool,
 }
 
-/// What a body belongs to.
+/// What a body moves with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovesWith {
-    /// What does not move.
+    /// The ground: the body does not move.
     Ground,
-    /// The part of this link.
+    /// This link.
     Link(LinkId),
 }
 
@@ -48,37 +48,37 @@ pub struct MergedWeld {
     pub reversed: bool,
 }
 
-/// The order of a chain.
+/// The layout of a chain.
 #[derive(Clone, Debug)]
 pub struct Layout {
-    /// From the ground outwards: each link stands after its parent.
+    /// The links from the ground outwards: each follows its parent.
     pub links: IdVec<LinkId, Link>,
-    /// Hinges that close loops: both sides move already without them.
+    /// Hinges that close loops: both of their sides are links of the tree already.
     pub loop_hinges: Vec<HingeId>,
-    /// What each body belongs to.
+    /// What each body moves with.
     pub parts: IdVec<BodyId, MovesWith>,
-    /// The weld by which a body joined its part, unless it is the part's first.
+    /// The weld that merged a body into its link; `None` for the first body of a link.
     pub joined: IdVec<BodyId, Option<MergedWeld>>,
-    /// Each hinge's part of `q`; empty where its motion is prescribed.
+    /// The range of each hinge in `q`; empty if its motion is prescribed.
     pub q: IdVec<HingeId, Range<usize>>,
-    /// Each hinge's part of `v`; empty where its motion is prescribed.
+    /// The range of each hinge in `v`; empty if its motion is prescribed.
     pub v: IdVec<HingeId, Range<usize>>,
-    /// Each hinge's part of what is reported of rates: accelerations and efforts.
+    /// The range of each hinge in reported accelerations and efforts.
     pub rates: IdVec<HingeId, Range<usize>>,
-    /// What the caller gives at every step, in the order of the inputs.
+    /// The inputs, in their order.
     pub inputs: IdVec<InputId, Input>,
 }
 
-/// Something that the caller gives at every step.
+/// An input: values that the caller gives at every step.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// What it is.
     pub what: InputKind,
-    /// Its part of the inputs.
+    /// Its range in the inputs.
     pub range: Range<usize>,
 }
 
-/// What is given by the caller.
+/// The kind of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
     /// Acceleration of free fall.
@@ -94,18 +94,18 @@ pub enum InputKind {
 }
 
 impl Layout {
-    /// The layout of `chain` with every body a part of its own.
+    /// Returns the layout of `chain` with a separate link for every body.
     pub fn of(chain: &Chain) -> Self {
         Layout::new(chain, false)
     }
 
-    /// The layout of `chain` with welded bodies merged: otherwise the same.
+    /// Returns the layout of `chain` with welded bodies merged into one link.
     pub fn merged(chain: &Chain) -> Self {
         Layout::new(chain, true)
     }
 
     fn new(chain: &Chain, merge: bool) -> Self {
-        // What is on a seam is no part of what lies on its other side.
+        // Bodies at a boundary of a repeated part are not merged across it.
         let at_boundary = |hinge: &Hinge| {
             chain
                 .repeat_boundary(&hinge.inboard)
@@ -130,23 +130,23 @@ impl Layout {
         }
     }
 
-    /// Whether a link's hinge, or its parent's, is on a seam.
+    /// Returns whether the hinge of a link, or of its parent, is at a boundary of a repeated part.
     pub fn is_at_repeat_boundary(&self, link: LinkId) -> bool {
         let is_boundary = |link: LinkId| self.links[link].boundary.is_some();
         is_boundary(link) || self.links[link].parent.is_some_and(is_boundary)
     }
 
-    /// Length of `q`.
+    /// Returns the length of `q`.
     pub fn coordinates(&self) -> usize {
         self.q.iter().last().map_or(0, |range| range.end)
     }
 
-    /// Length of `v`: the degrees of freedom, but for those that closures take.
+    /// Returns the length of `v`: the degrees of freedom without loop constraints.
     pub fn dof_count(&self) -> usize {
         self.v.iter().last().map_or(0, |range| range.end)
     }
 
-    /// The part of the inputs that gives `what`, which the caller does give.
+    /// Returns the range of an input that exists.
     pub fn input(&self, what: InputKind) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);
         found.map_or_else(|| bug!("{what:?} is no input"), |input| input.range.clone())
@@ -154,12 +154,12 @@ impl Layout {
 }
 
 impl Chain {
-    /// Whether the motion of some hinge is prescribed.
+    /// Returns whether the motion of any hinge is prescribed.
     pub fn has_prescribed_hinges(&self) -> bool {
         self.hinges.iter().any(Hinge::is_prescribed)
     }
 
-    /// What the field of the inputs is called that gives `what`.
+    /// Returns the name of the field of an input.
     pub fn name_of_input(&self, what: InputKind) -> Ident {
         let of_load = |load: LoadId, what: &str| {
             let name = &self.loads[load].name;
@@ -175,7 +175,7 @@ impl Chain {
 }
 
 impl Attachment {
-    /// The body that it is on, unless it is on the ground.
+    /// Returns the body, or `None` for the ground.
     pub fn body(&self) -> Option<BodyId> {
         match self {
             Attachment::Ground(_) => None,
@@ -226,7 +226,7 @@ fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
     given.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()
 }
 
-/// How motion spreads from the ground.
+/// The spanning tree of a chain.
 struct Tree {
     links: IdVec<LinkId, Link>,
     loop_hinges: Vec<HingeId>,
@@ -235,9 +235,9 @@ struct Tree {
 }
 
 impl Tree {
-    /// Over the hinges, those written first before the others; welds, which may be merged, and those
-    /// of seams before all others. A repeated part is gone through without a break, since all that
-    /// lies between its seams is done for each time.
+    /// Builds the tree over the hinges in the order written; welds, which may be merged, and welds
+    /// of boundaries precede all others. A repeated part is traversed without interruption, since
+    /// everything between its boundaries is evaluated for each repetition.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
         let sides = |hinge: HingeId| {
             [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
@@ -309,7 +309,7 @@ impl Tree {
     }
 }
 
-/// Takes out the first hinge that may come next.
+/// Removes and returns the first hinge that may come next.
 fn pop(
     next: &mut BTreeSet<(bool, HingeId)>,
     may_come: impl Fn(HingeId) -> bool,

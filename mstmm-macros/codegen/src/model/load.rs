@@ -1,4 +1,4 @@
-//! What acts on bodies from outside.
+//! Loads and springs on bodies.
 
 use super::{BodyId, Frame, Value};
 use proc_macro2::Ident;
@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 pub enum Source {
     /// There is none.
     Nothing,
-    /// The same always.
+    /// Constant.
     Constant([Value; 3]),
     /// Given by the caller at every step.
     Input,
@@ -21,13 +21,13 @@ pub struct Load {
     pub name: Ident,
     /// The body that it acts on.
     pub body: BodyId,
-    /// Where the force acts, body frame. Its axes are those of a load in body axes.
+    /// The point of application, body frame. Its axes are those of a load in body axes.
     pub at: Frame,
-    /// The axes in which both are given.
+    /// The axes of force and torque.
     pub axes: LoadAxes,
     /// The force in N.
     pub force: Source,
-    /// The torque in N m, besides the moment of the force.
+    /// The torque in N m, in addition to the moment of the force.
     pub torque: Source,
 }
 
@@ -45,9 +45,9 @@ pub enum LoadAxes {
 pub struct Spring {
     /// Its name.
     pub name: Ident,
-    /// The body that it pulls at.
+    /// The body that it acts on.
     pub body: BodyId,
-    /// Where it pulls, in m, body frame.
+    /// Its point of application in m, body frame.
     pub at: [Value; 3],
     /// The point on the ground in m, inertial frame.
     pub to: [Value; 3],

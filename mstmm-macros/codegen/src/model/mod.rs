@@ -1,7 +1,7 @@
-//! What was meant: bodies joined by hinges, all names resolved, all numbers in SI units.
+//! The model: bodies connected by hinges, with all names resolved and all values in SI units.
 //!
-//! The model is a graph: every hinge names the two places that it joins. A chain is the simplest
-//! such graph; nothing here but [`Chain::route`] knows that each body has one input and one output.
+//! The model is a graph: every hinge has two attachments. A chain is the simplest such graph; only
+//! [`Chain::route`] depends on each body having one input and one output.
 
 mod answer;
 mod check;
@@ -45,21 +45,21 @@ use std::ops::Range;
 pub struct Chain {
     /// The name of the generated type.
     pub name: Ident,
-    /// In how many directions it moves.
+    /// The dimension of the space that it moves in.
     pub dimension: Dimension,
     /// Acceleration of free fall in m/s², inertial frame.
     pub gravity: Source,
-    /// Numbers that may change at run time, in the order written.
+    /// The parameters, in the order written.
     pub parameters: Vec<Parameter>,
     /// How many constants are given as Rust paths: [`Symbol::Constant`] indexes them.
     pub constants: usize,
     /// The bodies on the route, in the order written.
     pub bodies: IdVec<BodyId, Body>,
-    /// The hinges on the route, in the order written, behind the implied ones. A chain that starts
-    /// and ends with a body floats: an implied hinge from the ground to the input of the first
-    /// body leaves it everything that its dimension has, under the first body's name. A moving end
-    /// is a massless body behind an implied hinge from the ground that is driven by a prescribed
-    /// motion, both under the end's name.
+    /// The hinges: implied ones first, then those on the route in the order written. A chain that
+    /// begins and ends with a body has a floating base: an implied floating hinge from the ground
+    /// to the input of the first body, with the name of that body. A moving end is a massless body
+    /// with an implied hinge from the ground whose motion is prescribed; both have the name of the
+    /// end.
     pub hinges: IdVec<HingeId, Hinge>,
     /// The elements in the order written, without implied hinges and moving ends.
     pub route: Vec<Element>,
@@ -67,21 +67,21 @@ pub struct Chain {
     pub loads: IdVec<LoadId, Load>,
     /// Springs from bodies to the ground, in the order written.
     pub springs: Vec<Spring>,
-    /// Parts of the route that stand for several in a row, in the order written. Where one begins
-    /// and where it ends a massless body is welded in, behind all other bodies and hinges.
+    /// Repeated parts of the route, in the order written. At the beginning and at the end of each a
+    /// massless body is welded in; these bodies and welds follow all other bodies and hinges.
     pub repeats: IdVec<RepeatId, Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<SolutionMethod>,
-    /// What its solution says.
+    /// The results of its solution.
     pub results: Results,
-    /// What is answered besides: nothing of it is generated unasked.
+    /// Further answers, which are generated only if the description asks for them.
     pub answers: Vec<Answer>,
-    /// What must hold of Rust constants: nothing but `rustc` knows.
+    /// Requirements on Rust constants, whose values only `rustc` knows.
     pub assertions: Vec<Requirement>,
 }
 
-/// What was meant by a description, checked; nothing where a mistake has been found, in this description
-/// or before.
+/// Lowers a description to its model and checks it. Returns `None` if there is an error in this
+/// description or in an earlier one.
 pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain, Passthrough)> {
     let (draft, passthrough) = lower::draft(def, diagnostics)?;
     let assertions = check::check(&draft, diagnostics);
@@ -96,20 +96,21 @@ pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain,
     diagnostics.is_empty().then(|| (repeat_boundaries::with_repeat_boundaries(chain), passthrough))
 }
 
-/// In how many directions a chain moves. A model is spatial whatever its dimension: in a plane
-/// chain nothing lies outside of the plane z = 0, in a line chain nothing off the x axis.
+/// The dimension of the space that a chain moves in. Models of all dimensions are spatial: a plane
+/// chain has z = 0, and a line chain is on the x axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// In all of them.
+    /// Six directions.
     Space,
-    /// Along x and y, and turning about z.
+    /// Translation along x and y, rotation about z.
     Plane,
-    /// Along x.
+    /// Translation along x.
     Line,
 }
 
 impl Dimension {
-    /// The directions of motion among the six of space: shifts along x, y, z, then turns about them.
+    /// Returns the directions of motion among the six of space: translations along x, y, z, then
+    /// rotations about them.
     pub fn axes(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2, 3, 4, 5],
@@ -118,7 +119,7 @@ impl Dimension {
         }
     }
 
-    /// The axes that it moves along.
+    /// Returns the axes of translations.
     pub fn shifts(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2],
@@ -127,7 +128,7 @@ impl Dimension {
         }
     }
 
-    /// How many columns of a rotation's matrix tell an orientation.
+    /// Returns how many columns of the rotation matrix determine an orientation.
     pub fn columns(self) -> usize {
         match self {
             Dimension::Space => 3,
@@ -136,7 +137,7 @@ impl Dimension {
         }
     }
 
-    /// The axes that it turns about.
+    /// Returns the axes of rotations.
     pub fn turns(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2],
@@ -155,11 +156,11 @@ pub enum Element {
     Hinge(HingeId),
 }
 
-/// A part of the route that stands for several in a row. Its elements are listed once: hinges and
-/// bodies in turn, a hinge first and a body last.
+/// A repeated part of the route. Its elements are listed once: alternating hinges and bodies, a
+/// hinge first and a body last.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repeat {
-    /// How many times, at least once.
+    /// The number of repetitions, at least one.
     pub count: usize,
     /// Its hinges.
     pub hinges: IdRange<HingeId>,
@@ -169,7 +170,7 @@ pub struct Repeat {
     pub route: Range<usize>,
 }
 
-/// How the accelerations are solved for.
+/// The method that solves for the accelerations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SolutionMethod {
     /// The forward product of transfer matrices from `z_{1,I}` and a boundary solve.
@@ -178,33 +179,33 @@ pub enum SolutionMethod {
     Riccati,
 }
 
-/// How many independent directions a closing hinge holds anywhere on the closure.
+/// The rank of the loop constraints in all closed poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClosureRank {
-    /// Nobody knows: every state decides by the size of its pivots.
+    /// Unknown: each state determines the rank by the size of its pivots.
     #[default]
     Unknown,
-    /// So many, whatever the parameters.
+    /// Known, for all values of the parameters.
     Known {
-        /// How many of them are independent.
+        /// The number of independent constraint directions.
         rank: usize,
-        /// How many there are, those among them that the inertia of a rotor holds.
+        /// The number of constraint directions, including those along which a rotor has inertia.
         directions: usize,
     },
-    /// It is found when parameters are set; the hinge holds so many directions.
+    /// Determined when parameters are set; the number of constraint directions.
     FoundAtRunTime(usize),
 }
 
-/// A number that may change at run time.
+/// A parameter: a value that may change at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Its name.
     pub name: Ident,
-    /// Its value unless set, in SI units. May use Rust paths, but no parameters.
+    /// Its default in SI units. It may depend on Rust constants, but not on parameters.
     pub default: Value,
     /// Its SI unit as text, for the docs; empty for a plain number.
     pub unit: String,
-    /// How many there are, if it is one for every time of a repeated part.
+    /// The number of values, if there is one for each repetition of a part.
     pub repetitions: Option<usize>,
 }
 
@@ -227,12 +228,13 @@ pub struct Body {
     pub points: Vec<NamedPoint>,
     /// Which optional points the description has.
     pub written: PresentPoints,
-    /// What it stands for.
+    /// Its role.
     pub role: Role,
 }
 
 impl Body {
-    /// The points of the body that its results have by name, body frame: the centre of mass first.
+    /// Returns the points of the body that its results have by name, body frame: the centre of mass
+    /// first.
     pub fn own_points(&self) -> impl Iterator<Item = &[Value; 3]> {
         std::iter::once(&self.com).chain(self.points.iter().map(|point| &point.position))
     }
@@ -261,36 +263,38 @@ impl PresentPoints {
     pub const ALL: PresentPoints = PresentPoints { output: true, com: true };
 }
 
-/// What a body of the model stands for.
+/// The role of a body of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// A body on the route.
     Physical,
     /// A moving end; it has no mass.
     MovingEnd,
-    /// A place where a repeated part begins or ends; it has no mass.
+    /// The beginning or the end of a repeated part; it has no mass.
     RepeatBoundary(RepeatBoundary),
 }
 
-/// Where a repeated part begins, or where it ends. What lies between is the same every time.
+/// The beginning or the end of a repeated part. Everything between them is the same for every
+/// repetition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RepeatBoundary {
     /// The part.
     pub repeat: RepeatId,
-    /// Whether the part ends there.
+    /// Whether it is the end of the part.
     pub at_end: bool,
 }
 
 /// An inertia tensor.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    /// xx, yy, zz, xy, xz, yz: the tensor's entries, so products of inertia carry their minus sign.
+    /// xx, yy, zz, xy, xz, yz: entries of the tensor, so the products of inertia include their
+    /// minus sign.
     pub tensor: [Value; 6],
-    /// The point that it is taken about.
+    /// Its reference point.
     pub about: About,
 }
 
-/// The point that an inertia tensor is taken about.
+/// The reference point of an inertia tensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum About {
     /// The input point `I`.
@@ -304,12 +308,13 @@ pub enum About {
 pub struct Frame {
     /// Its origin in m.
     pub position: [Value; 3],
-    /// Rows of the rotation matrix that turns components in this frame into those of the other.
+    /// Rows of the rotation matrix that rotates components in this frame into components in the
+    /// other.
     pub rotation: [[Value; 3]; 3],
 }
 
 impl Frame {
-    /// The same frame: no shift, no turn.
+    /// Returns the identity.
     pub fn identity() -> Self {
         let entry = |on| Value::number(if on { 1.0 } else { 0.0 });
         Frame {
@@ -319,9 +324,9 @@ impl Frame {
     }
 }
 
-/// Where a hinge sits.
+/// The attachment of one side of a hinge.
 #[derive(Clone, Debug, PartialEq)]
-// A chain has two places on the ground at most.
+// A chain has at most two attachments on the ground.
 #[allow(clippy::large_enum_variant)]
 pub enum Attachment {
     /// A frame fixed in the inertial frame.

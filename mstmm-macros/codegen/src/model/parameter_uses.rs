@@ -1,4 +1,4 @@
-//! Where parameters are used.
+//! Uses of parameters.
 
 use super::{
     Attachment, Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive,
@@ -6,7 +6,7 @@ use super::{
 };
 use crate::diag::Diagnostics;
 
-/// A parameter with one number for every time of a repeated part is used in one such part alone.
+/// Reports parameters with one value for each repetition that are used outside one repeated part.
 pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics: &mut Diagnostics) {
     for (index, parameter) in chain.parameters.iter().enumerate() {
         let Some(times) = parameter.repetitions else { continue };
@@ -37,32 +37,33 @@ pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics:
 }
 
 impl Chain {
-    /// The repeated part that a parameter belongs to.
+    /// Returns the repeated part that a parameter belongs to.
     pub fn repeat_of_parameter(&self, parameter: usize) -> Option<RepeatId> {
         self.parameters[parameter].repetitions?;
         self.parts_that_use(parameter).into_iter().flatten().next()
     }
 
-    /// Whether frames, axes or the start depend on a parameter, and with them perhaps the rank of a
-    /// closure that is found around the start.
+    /// Returns whether frames, axes or the start depend on a parameter. The rank of the loop
+    /// constraints may then depend on it, too.
     pub fn closure_uses(&self, parameter: usize) -> bool {
         let start = self.hinges.iter().flat_map(|hinge| &hinge.start);
         self.geometry().chain(start).any(|value| value.uses(parameter))
     }
 
-    /// Whether frames and axes are known numbers.
+    /// Returns whether all frames and axes are known values.
     pub fn geometry_is_known(&self) -> bool {
         self.geometry().all(|value| value.known().is_some())
     }
 
-    /// The numbers of all frames and axes.
+    /// Returns the values of all frames and axes.
     fn geometry(&self) -> impl Iterator<Item = &Value> {
         let frames = self.bodies.iter().flat_map(|body| of_frame(&body.output));
         let hinges = self.hinges.iter();
         frames.chain(hinges.flat_map(|hinge| [of_places(hinge), hinge.kind.values()].concat()))
     }
 
-    /// The repeated parts in which a parameter is used, in their order; nothing stands for all else.
+    /// Returns the repeated parts in which a parameter is used, in their order; `None` is
+    /// everything else.
     fn parts_that_use(&self, parameter: usize) -> Vec<Option<RepeatId>> {
         let used = |values: Vec<&Value>| values.into_iter().any(|value| value.uses(parameter));
         let bodies = self.bodies.enumerate();

@@ -1,5 +1,6 @@
-//! Seams: where a repeated part begins and ends, a massless body is welded in. All that the part
-//! shares with what is around it passes through there, so it is the same every time.
+//! Boundaries of repeated parts: a massless body is welded in where a part begins and where it
+//! ends. Everything that the part exchanges with its surroundings passes through them, so each
+//! repetition is the same.
 
 use super::{
     About, Attachment, Body, BodyId, Chain, Frame, Hinge, HingeId, HingeKind, Inertia,
@@ -9,7 +10,7 @@ use super::{Drive, Element, InputKind};
 use proc_macro2::Span;
 use quote::format_ident;
 
-/// The chain with its seams.
+/// Returns the chain with a massless body at each boundary.
 pub(super) fn with_repeat_boundaries(mut chain: Chain) -> Chain {
     for repeat in chain.repeats.ids() {
         let part = chain.repeats[repeat].clone();
@@ -28,7 +29,7 @@ pub(super) fn with_repeat_boundaries(mut chain: Chain) -> Chain {
     chain
 }
 
-/// Welds a seam to a place.
+/// Welds a boundary to an attachment.
 fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> BodyId {
     let word = if boundary.at_end { "end" } else { "start" };
     let name =
@@ -60,7 +61,7 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
 }
 
 impl Chain {
-    /// The seam that a place is on.
+    /// Returns the boundary at an attachment.
     pub fn repeat_boundary(&self, place: &Attachment) -> Option<RepeatBoundary> {
         match self.bodies[place.body()?].role {
             Role::RepeatBoundary(boundary) => Some(boundary),
@@ -68,30 +69,30 @@ impl Chain {
         }
     }
 
-    /// The weld that joins a seam to what is before it.
+    /// Returns the weld between a boundary and the body inboard of it.
     pub fn weld_of(&self, boundary: RepeatBoundary) -> HingeId {
         let is_it = |hinge: &Hinge| self.repeat_boundary(&hinge.outboard) == Some(boundary);
         self.hinges.position(is_it).unwrap_or_else(|| bug!("{boundary:?} is welded to nothing"))
     }
 
-    /// The repeated part that a hinge belongs to.
+    /// Returns the repeated part of a hinge.
     pub fn repeat_of_hinge(&self, hinge: HingeId) -> Option<RepeatId> {
         self.repeats.position(|repeat| repeat.hinges.contains(hinge))
     }
 
-    /// Whether a hinge belongs to a repeated part, or joins its end to it.
+    /// Returns whether a hinge belongs to a repeated part, or is the weld of its end.
     pub fn lies_in_repeat(&self, hinge: HingeId, repeat: RepeatId) -> bool {
         self.repeats[repeat].hinges.contains(hinge)
             || self.repeat_boundary(&self.hinges[hinge].outboard)
                 == Some(RepeatBoundary { repeat, at_end: true })
     }
 
-    /// The repeated part that a body belongs to.
+    /// Returns the repeated part of a body.
     pub fn repeat_of_body(&self, body: BodyId) -> Option<RepeatId> {
         self.repeats.position(|repeat| repeat.bodies.contains(body))
     }
 
-    /// The repeated part that an input belongs to.
+    /// Returns the repeated part of an input.
     pub fn repeat_of_input(&self, what: InputKind) -> Option<RepeatId> {
         match what {
             InputKind::Gravity => None,
@@ -102,7 +103,7 @@ impl Chain {
         }
     }
 
-    /// How often an element stands in the chain.
+    /// Returns the number of repetitions of an element.
     pub fn repetitions(&self, element: Element) -> usize {
         let repeat = match element {
             Element::Hinge(hinge) => self.repeat_of_hinge(hinge),

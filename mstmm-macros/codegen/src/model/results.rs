@@ -14,7 +14,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// Nothing.
+    /// No results but those that every solution has.
     pub const NONE: Results =
         Results { poses: false, velocities: false, z: false, energies: false };
 

@@ -8,7 +8,7 @@ use crate::diag::SpanRange;
 
 /// What must hold of a number.
 pub(super) struct ValueRule {
-    /// What it must be.
+    /// The bound that it must satisfy.
     pub must: Bound,
     /// What the compiler says where it is not.
     message: &'static str,

@@ -12,8 +12,8 @@ impl Chain {
         self.route.len() + more.sum::<usize>()
     }
 
-    /// The same chain with its repeated parts written out, up to `most` times each. Nothing acts on
-    /// bodies from outside there, and names stand more than once.
+    /// Returns the same chain with up to `most` repetitions of each part written out. It has no
+    /// loads and no springs, and its names are not unique.
     pub fn unrolled(&self, most: usize) -> Chain {
         let is_end = |&body: &BodyId| self.bodies[body].role == Role::MovingEnd;
         let ends: Vec<BodyId> = self.bodies.ids().into_iter().filter(is_end).collect();
@@ -74,7 +74,7 @@ impl Chain {
         }
     }
 
-    /// Where the seam sits that a place is on, or the place.
+    /// Returns the attachment inboard of the boundary at `place`, or `place` itself.
     pub fn before_boundary<'a>(&'a self, place: &'a Attachment) -> &'a Attachment {
         self.repeat_boundary(place)
             .map_or(place, |boundary| &self.hinges[self.weld_of(boundary)].inboard)

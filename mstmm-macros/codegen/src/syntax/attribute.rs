@@ -1,4 +1,4 @@
-//! What stands in front of an item.
+//! Attributes, doc comments and the visibility before an item.
 
 use proc_macro2::{Delimiter, TokenStream};
 use syn::parse::Parser;
@@ -21,7 +21,7 @@ fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
     Attribute::parse_outer.parse2(tokens)
 }
 
-/// Doc comments, which are for the reader of the description; nothing else may stand there.
+/// Skips doc comments; any other attribute is an error.
 pub(super) fn docs(input: &mut Cursor) -> Result<()> {
     let attributes = attributes(input).inspect_err(|_| skip_comment(input))?;
     match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
@@ -30,7 +30,7 @@ pub(super) fn docs(input: &mut Cursor) -> Result<()> {
     }
 }
 
-/// Reads on to what may be the end of a comment that begins with `#`.
+/// Skips to what may be the end of a comment that begins with `#`.
 fn skip_comment(input: &mut Cursor) {
     while !input.is_empty() && !lookahead::begins_item(input) && !lookahead::begins_field(input) {
         if input.punct(';').is_some() {
@@ -40,8 +40,8 @@ fn skip_comment(input: &mut Cursor) {
     }
 }
 
-/// What may stand in front of a chain. A chain becomes several items, and a condition would be
-/// one of the first only.
+/// Reads the attributes before a chain. `cfg` is an error there: a chain expands to several items,
+/// and the condition would apply to the first one only.
 pub(super) fn of_chain(input: &mut Cursor) -> Result<Vec<Attribute>> {
     let attributes = attributes(input)?;
     let conditional = |attribute: &&Attribute| {

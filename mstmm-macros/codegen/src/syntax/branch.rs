@@ -1,5 +1,5 @@
-//! What is written where a route branches. The language has no branches: they are read so that the
-//! message names the way round, and so that the names in them are known.
+//! Branches of a route. The language has none; they are parsed so that the message can suggest what
+//! to write instead, and so that the names in them are known.
 
 use proc_macro2::{Delimiter, Ident};
 use syn::Result;
@@ -11,7 +11,7 @@ use super::separators::{BRANCHES, Separators};
 use super::tree::{RouteSyntax, SpanRange};
 use crate::diag::Diagnostics;
 
-/// Words that an item for a branch or for a loop may begin with, and what is said of it.
+/// Words with which users may begin an item for a branch or for a loop, each with its message.
 const ITEMS: &[(&str, &str)] = &[
     ("branch", BRANCHES),
     ("fork", BRANCHES),
@@ -22,16 +22,16 @@ const ITEMS: &[(&str, &str)] = &[
     ("loop", LOOPS),
 ];
 
-/// What is said where a loop is to close otherwise than the language can.
+/// The message for a loop between two bodies.
 const LOOPS: &str = "a closed chain is a route that ends as it began, `ground -> … -> ground at \
                      […]`; for a loop between two bodies write two loads with `force = input`";
 
-/// What is said of an item that begins with this word.
+/// Returns the message for an item that begins with `word`.
 pub(super) fn item(word: &Ident) -> Option<&'static str> {
     ITEMS.iter().find(|(known, _)| word == known).map(|&(_, message)| message)
 }
 
-/// A group in the place of a stop that holds stops: a branch, or several.
+/// Reads a group that contains route items: one branch or several.
 pub(super) fn group<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, SpanRange)> {
     let groups = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis];
     let mut ahead = *input;
@@ -43,7 +43,7 @@ pub(super) fn group<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, SpanRange
     Some((inside, extent))
 }
 
-/// Reports branches and reads the stops on them.
+/// Reports branches and reads the route items in them.
 pub(super) fn branches(
     (mut inside, extent): (Cursor, SpanRange),
     route: &mut RouteSyntax,

@@ -10,26 +10,26 @@ use super::tree::{BlockKeyword, BlockSyntax, ChainSyntax, DimensionKeyword, Para
 use super::{attribute, branch, field, lookahead, number, recover, route, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
-/// The words that blocks begin with.
+/// The keywords of blocks.
 pub(super) const BLOCKS: &[(&str, BlockKeyword)] = &[
     ("body", BlockKeyword::Body),
     ("hinge", BlockKeyword::Hinge),
     ("load", BlockKeyword::Load),
     ("spring", BlockKeyword::Spring),
 ];
-/// The words that may stand before `chain`.
+/// The keywords that may precede `chain`.
 pub(super) const DIMENSIONS: &[(&str, DimensionKeyword)] = &[
     ("space", DimensionKeyword::Space),
     ("plane", DimensionKeyword::Plane),
     ("line", DimensionKeyword::Line),
 ];
-/// The words that a setting begins with.
+/// The keywords of settings.
 pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
 
-/// The count of a parameter whose count could not be read: any index of a program is less.
+/// The count of a parameter whose count is not readable.
 const UNKNOWN_COUNT: usize = 1000;
 
-/// One chain; nothing if its head could not be read.
+/// Parses one chain; returns `None` if its head is not readable.
 pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<ChainSyntax> {
     let (mut def, mut inside) = match head(input, diagnostics) {
         Ok(head) => head,
@@ -99,8 +99,8 @@ fn head<'a>(
     Ok((def, inside))
 }
 
-/// Reads over a wrong word, if it is all that is wrong in the head of a chain: whether it is written instead of
-/// `chain`, not before it.
+/// Skips a wrong word if the head of the chain has no other error. Returns whether the word
+/// replaces `chain`; otherwise it precedes `chain`.
 fn misspelt_chain(input: &mut Cursor) -> Option<bool> {
     let mut ahead = *input;
     ahead.any();
@@ -114,13 +114,13 @@ fn misspelt_chain(input: &mut Cursor) -> Option<bool> {
     Some(of_chain)
 }
 
-/// The dimension whose word is close to this one.
+/// Returns the dimension whose keyword is closest to `word`.
 fn near_dimension(word: &Ident) -> Option<DimensionKeyword> {
     let near = nearest(&word.to_string(), DIMENSIONS.iter().map(|(known, _)| *known))?;
     DIMENSIONS.iter().find(|(known, _)| *known == near).map(|&(_, dimension)| dimension)
 }
 
-/// What stands in the place of `chain`: perhaps a wrong word before it.
+/// Returns the error for a missing `chain`, which may follow a wrong word.
 fn no_chain(input: &Cursor) -> Error {
     let mut ahead = *input;
     let word = ahead.any().map_or_else(String::new, |word| word.to_string());
@@ -132,7 +132,7 @@ fn no_chain(input: &Cursor) -> Error {
     Error::new(input.next_span(), message)
 }
 
-/// The word before `chain`; none stands for `space`.
+/// Reads the keyword before `chain`; without one the dimension is `space`.
 fn dimension(input: &mut Cursor) -> DimensionKeyword {
     let known = DIMENSIONS.iter().find(|(word, _)| input.word(word).is_some());
     known.map_or(DimensionKeyword::Space, |&(_, dimension)| dimension)
@@ -165,7 +165,7 @@ fn item(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics
     }
 }
 
-/// A block of what is said of an end on the route itself.
+/// Reads a block for `ground` or for a moving end, which is an error.
 fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
@@ -181,7 +181,7 @@ fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
     Some((at, message))
 }
 
-/// `word =` in front of the route.
+/// Reads `word =` before the route, which is an error.
 fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
@@ -191,12 +191,12 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     Some((at, "the route has no name: write only `ground -> …`"))
 }
 
-/// The word of a block, if one is next.
+/// Reads the keyword of a block.
 fn block_word(input: &mut Cursor) -> Option<(BlockKeyword, Span)> {
     BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
 }
 
-/// A block whose word is close to one of the language, which is reported.
+/// Reads and reports a misspelt keyword of a block.
 fn misspelt_block(
     input: &mut Cursor,
     diagnostics: &mut Diagnostics,
@@ -213,7 +213,7 @@ fn misspelt_block(
     Some((block, word.span()))
 }
 
-/// Whether a parameter is next behind a word that is close to `param`, which is reported.
+/// Reads and reports a misspelt `param`.
 fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
     let mut ahead = *input;
     let Some(word) = ahead.ident() else { return false };
@@ -229,7 +229,7 @@ fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool
     is_parameter
 }
 
-/// The name of a setting, if one is next: its word, or any word with `=` behind it.
+/// Reads the name of a setting: its keyword, or any word that `=` follows.
 fn setting(input: &mut Cursor) -> Option<Ident> {
     let mut ahead = *input;
     let name = ahead.ident()?;
@@ -245,7 +245,7 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
     let mut behind = *input;
     let repetitions = match input.group(Delimiter::Bracket) {
-        // Other brackets, which are reported where the value is missed.
+        // Other brackets are an error.
         None if behind.group(Delimiter::Parenthesis).is_some() && behind.peek_punct('=') => {
             diagnostics.push(input.unexpected("`=`"));
             *input = behind;
@@ -293,11 +293,11 @@ fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
     Ok((names, inside))
 }
 
-/// An item that begins with no word of the language.
+/// Reports an item that begins with no keyword.
 fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
     let start = *input;
     let Some(word) = input.peek_ident() else {
-        // What stands here may be the rest of the route.
+        // This may be the rest of the route.
         if let Some(route) = &mut def.route {
             if input.pair('-', '>').is_some() {
                 *input = start;
@@ -324,7 +324,7 @@ fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnost
     report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
 }
 
-/// Reports an item that could not be read and goes on behind it.
+/// Reports an item that is not readable and skips it.
 fn report_and_skip(
     error: Error,
     input: &mut Cursor,

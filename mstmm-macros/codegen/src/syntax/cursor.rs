@@ -1,12 +1,12 @@
-//! A place in the tokens. Unlike `syn`'s parse stream it can be left anywhere without a complaint,
-//! so that reading goes on behind a mistake.
+//! A position in the tokens. Unlike `syn`'s parse stream it may be dropped anywhere, so that
+//! parsing can continue after an error.
 
 use proc_macro2::{Delimiter, Ident, Literal, Spacing, Span, TokenTree};
 use syn::{Error, Result, buffer};
 
 use super::tree::SpanRange;
 
-/// Groups within groups up to this depth: expressions are walked by recursion.
+/// The maximum depth of nested groups: expressions are traversed by recursion.
 const DEEPEST: usize = 32;
 
 /// The tokens that are still to be read.
@@ -18,12 +18,12 @@ pub(super) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// At the start of all tokens.
+    /// Starts at the first token.
     pub fn new(rest: buffer::Cursor<'a>) -> Self {
         Cursor { rest, last: Span::call_site(), depth: 0 }
     }
 
-    /// Whether nothing is left in this group.
+    /// Returns whether the group is exhausted.
     pub fn is_empty(&self) -> bool {
         self.rest.eof()
     }
@@ -73,8 +73,8 @@ impl<'a> Cursor<'a> {
         self.take(found).map(|punct| punct.span())
     }
 
-    /// Whether `second` stands right behind `first` now. With a space between them they would be
-    /// two signs in Rust, into which a path goes as it is.
+    /// Returns whether `first` and `second` are next, without a space between them: paths are
+    /// passed to Rust unchanged, and there a space would separate the two signs.
     pub fn peek_pair(&self, first: char, second: char) -> bool {
         let Some((sign, rest)) = self.rest.punct() else { return false };
         let is_first = sign.as_char() == first && sign.spacing() == Spacing::Joint;
@@ -100,7 +100,7 @@ impl<'a> Cursor<'a> {
         self.rest.group(delimiter).is_some()
     }
 
-    /// The next group if it is of this kind: what is in it, and where it stands.
+    /// Reads the next group if it has this delimiter: its content and its span.
     pub fn group(&mut self, delimiter: Delimiter) -> Option<(Cursor<'a>, SpanRange)> {
         let (inside, span, rest) = self.rest.group(delimiter)?;
         self.rest = rest;
@@ -114,7 +114,7 @@ impl<'a> Cursor<'a> {
         self.take(self.rest.token_tree())
     }
 
-    /// Refuses what would be too deep to walk.
+    /// Reports groups that are nested too deeply.
     pub fn check_depth(&self) -> Result<()> {
         if self.depth <= DEEPEST {
             return Ok(());
@@ -122,12 +122,12 @@ impl<'a> Cursor<'a> {
         Err(Error::new(self.last, format!("more than {DEEPEST} nested groups")))
     }
 
-    /// Refuses what is left in this group.
+    /// Reports tokens that are left in this group.
     pub fn check_empty(&self, expected: &str) -> Result<()> {
         if self.is_empty() { Ok(()) } else { Err(self.unexpected(expected)) }
     }
 
-    /// A message at the next token, or at the last one if none is left.
+    /// Returns an error at the next token, or at the last one if none is left.
     pub fn unexpected(&self, expected: &str) -> Error {
         let mut ahead = *self;
         let (at, found) = match ahead.any() {
@@ -143,8 +143,8 @@ impl<'a> Cursor<'a> {
         Error::new(at, format!("expected {expected}, found `{found}`"))
     }
 
-    /// Reads on to the end of the statement in which a mistake was found: behind its `;`, or
-    /// behind its block unless the statement goes on there with an arrow.
+    /// Skips the rest of a statement with an error: up to its `;`, or up to the end of its block
+    /// unless an arrow follows.
     pub fn skip_statement(&mut self) {
         while !self.is_empty() {
             if self.punct(';').is_some() {

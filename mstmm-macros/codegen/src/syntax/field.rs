@@ -9,17 +9,17 @@ use super::value::written;
 use super::{attribute, lookahead};
 use crate::diag::{Diagnostics, nearest};
 
-/// What stands in the braces of a block.
+/// The content of a block.
 pub(super) struct Content {
     /// `name = value;`
     pub fields: Vec<FieldSyntax>,
     /// `point name = value;`
     pub points: Vec<FieldSyntax>,
-    /// Whether each of them had a name at least.
+    /// Whether each field has at least a name.
     pub complete: bool,
 }
 
-/// All that stands in a block. Behind a mistake it goes on with the next field.
+/// Parses the content of a block. After an error it continues with the next field.
 pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Content {
     let mut content = Content { fields: Vec::new(), points: Vec::new(), complete: true };
     let mut ends = Ends::default();
@@ -44,7 +44,7 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
     content
 }
 
-/// The name of a point behind a word that is close to `point`, which is reported.
+/// Reads the name of a point after a misspelt `point`, which is reported.
 fn misspelt_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
     let mut ahead = *input;
     let word = ahead.ident()?;
@@ -55,19 +55,19 @@ fn misspelt_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<I
     Some(name)
 }
 
-/// What stands behind the name of a field, up to and with its `;`.
+/// Parses the rest of a field after its name, including `;`.
 pub(super) fn field(name: Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> FieldSyntax {
     Ends::default().field(name, input, diagnostics)
 }
 
-/// How the fields of a block end.
+/// State of the recovery from wrong ends of fields.
 #[derive(Default)]
 struct Ends {
-    /// Whether it is reported that they end with commas, which is a mistake once.
+    /// Whether a comma instead of `;` has been reported: once for each block.
     reported: bool,
-    /// Whether words were skipped behind a mistake, which may have been a field.
+    /// Whether skipped words after an error may have been a field.
     skipped: bool,
-    /// Whether a `;` is in the place of the last field's `=`: the next tokens are its value.
+    /// Whether the last field has `;` instead of `=`: the next tokens are its value.
     lost: bool,
 }
 
@@ -83,7 +83,7 @@ impl Ends {
         let has_sign = sign.is_ok();
         let value = match sign {
             Ok(()) => written(input).map(Some),
-            // The value may follow all the same, or a type.
+            // The value may follow anyway, or a type.
             Err(error) if colon => {
                 diagnostics.push(error);
                 Ok(written(input).ok().filter(|_| self.is_end(input)))
@@ -108,8 +108,8 @@ impl Ends {
         input.is_empty() || input.peek_punct(';') || input.peek_punct(',')
     }
 
-    /// Whether the value ends here. Where only the `;` is missing in front of what comes next,
-    /// neither is lost.
+    /// Returns whether the value ends here. If only its `;` is missing, the value and what follows
+    /// are kept.
     fn end(
         &mut self,
         value: &ValueSyntax,
@@ -147,8 +147,7 @@ impl Ends {
         false
     }
 
-    /// Reads on to the end of a field in which a mistake was found: behind its `;`, or to the next
-    /// field or item.
+    /// Skips the rest of a field with an error: up to its `;`, or to the next field or item.
     fn skip(&mut self, input: &mut Cursor) {
         while !input.is_empty() && !begins_field(input) && !lookahead::begins_item(input) {
             if input.punct(';').is_some() {
@@ -157,7 +156,7 @@ impl Ends {
             if input.word("let").is_some() {
                 input.ident();
             } else if input.ident().is_some() {
-                // The end of a unit is none.
+                // A word within a unit is not a field.
                 let ends = ['*', '/', '^', ';'].iter().any(|&sign| input.peek_punct(sign));
                 self.skipped |= !ends && !input.is_empty();
             } else {
@@ -167,7 +166,7 @@ impl Ends {
     }
 }
 
-/// Whether this is a number without anything else.
+/// Returns whether this is a literal.
 fn is_literal(value: &ValueSyntax) -> bool {
     matches!(value, ValueSyntax::Number(ExprSyntax { kind: ExprKind::Number(_), .. }))
 }

@@ -1,4 +1,4 @@
-//! What begins at the next token, seen without reading it.
+//! Lookahead: what begins at the next token.
 
 use proc_macro2::{Delimiter, Ident};
 
@@ -6,15 +6,15 @@ use super::cursor::Cursor;
 
 /// The words that an item can begin with.
 pub(super) const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
-/// Those of them that may be names too: they begin an item where a name follows.
+/// Keywords that may also be names: they begin an item only if a name follows.
 const ALSO_NAMES: &[&str] = &["load", "spring", "moving"];
 
-/// Whether the next word begins an item, so that it is nothing else.
+/// Returns whether the next word can only be the beginning of an item.
 pub(super) fn begins_item(input: &Cursor) -> bool {
     begins_block(input) || input.peek_ident().is_some_and(|word| word == "ground")
 }
 
-/// Whether the next word begins an item other than the route: a name or a block stands behind it.
+/// Returns whether the next word begins an item other than the route: a name or a block follows.
 pub(super) fn begins_block(input: &Cursor) -> bool {
     let mut ahead = *input;
     ahead.ident().is_some_and(|word| {
@@ -41,13 +41,13 @@ pub(super) fn begins_field(input: &Cursor) -> bool {
     point(&mut ahead).or_else(|| ahead.ident()).is_some() && ahead.peek_punct('=')
 }
 
-/// The name of a stop, if it has one.
+/// Reads the name of a route item, if it has one.
 pub(super) fn name(input: &mut Cursor) -> Option<Ident> {
     if begins_block(input) { None } else { input.ident() }
 }
 
-/// Whether a statement that begins here looks like a route rather than like a misspelt item: by its
-/// first word, by an arrow, or by a body that stands alone.
+/// Returns whether the statement looks like a route rather than like a misspelt item: by its first
+/// word, by an arrow, or because it is a single body.
 pub(super) fn is_route(input: &Cursor) -> bool {
     let mut ahead = *input;
     let body = ahead.ident().is_some_and(|word| word.to_string().starts_with(char::is_uppercase));
@@ -56,16 +56,16 @@ pub(super) fn is_route(input: &Cursor) -> bool {
     (body && ends) || is_clearly_route(input)
 }
 
-/// Whether it begins with a word that only a route begins with, or has an arrow.
+/// Returns whether the statement begins with a keyword of the route, or has an arrow.
 pub(super) fn is_clearly_route(input: &Cursor) -> bool {
     let mut ahead = *input;
     let Some(first) = ahead.ident() else { return false };
-    // Brackets in the wrong place.
+    // Braces in a wrong place.
     ahead.group(Delimiter::Brace);
     first == "ground" || first == "repeat" || has_arrow(ahead)
 }
 
-/// Whether an arrow stands in the rest of a statement.
+/// Returns whether the rest of a statement has an arrow.
 pub(super) fn has_arrow(mut rest: Cursor) -> bool {
     let pairs = [('-', '>'), ('=', '>'), ('<', '-')];
     let is_arrow = |at: &Cursor| pairs.iter().any(|&(first, second)| at.peek_pair(first, second));

@@ -33,7 +33,7 @@ use syn::buffer::TokenBuffer;
 
 use crate::diag::Diagnostics;
 
-/// Reads all chains of one macro call. What could be read comes back, mistakes or not.
+/// Parses all chains of one macro call. Returns everything readable, even if there are errors.
 pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyntax> {
     if let Some(at) = too_deep(&tokens) {
         diagnostics.error(at, format!("more than {DEEPEST} nested groups"));
@@ -52,11 +52,11 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyn
     chains
 }
 
-/// Groups within groups up to this depth are read, where some of them are refused at their place; a
-/// buffer of deeper ones is filled by a recursion that could overflow the stack.
+/// The maximum depth of nested groups in the input: `TokenBuffer` is filled by recursion, which
+/// could overflow the stack. The cursor has a smaller limit, with better messages.
 const DEEPEST: usize = 200;
 
-/// A group that lies too deep.
+/// Returns a group that is nested too deeply.
 fn too_deep(tokens: &TokenStream) -> Option<Span> {
     let mut open = vec![tokens.clone().into_iter()];
     while let Some(inner) = open.last_mut() {
@@ -72,10 +72,11 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
     None
 }
 
-/// What the names of the types end with that a chain becomes.
+/// The suffixes of the types that a chain generates.
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
-/// The types of all chains stand beside each other, so no two may have the same name.
+/// Reports generated types with the same name: the types of all chains of one call are in one
+/// module.
 fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
@@ -94,7 +95,7 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The types of results at bodies with named points.
+/// Returns the types of results at bodies with named points.
 fn result_types(chain: &ChainSyntax) -> impl Iterator<Item = String> {
     let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
     bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))

@@ -1,4 +1,4 @@
-//! Numbers: sums of products, each closed by a unit.
+//! Numbers: sums of products, each of which may end with a unit.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::{Error, Lit, Result};
@@ -7,25 +7,27 @@ use super::cursor::Cursor;
 use super::tree::{ExprKind, ExprSyntax, FactorSyntax, SpanRange, TermSyntax, UnitSyntax};
 use super::unit;
 
-/// Terms of one sum or factors of one product up to this many: formulas are walked by recursion.
+/// The maximum number of terms in a sum or of factors in a product: formulas are traversed by
+/// recursion.
 const MOST_PARTS: usize = 256;
 
-/// Longer literals take long to read, and say nothing that an `f64` could hold.
+/// The maximum length of a literal: an `f64` cannot hold more digits, and long literals are slow to
+/// parse.
 const LONGEST_LITERAL: usize = 100;
 
 /// The largest count of a `repeat`.
 const MOST_TIMES: usize = 10_000_000;
 
-/// What is said of powers as other languages write them.
+/// The message for powers as other languages write them.
 const POWERS: &str = "write powers with `^`";
 
-/// What is said of numbers that stand in front of a vector or behind it.
+/// The message for numbers before or after a vector.
 pub(super) const INSIDE: &str = "write signs and factors inside the brackets";
 
-/// The words that forms begin with.
+/// The keywords of forms.
 pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
 
-/// The functions that numbers can be made with.
+/// The functions of numbers.
 pub const FUNCTIONS: &[&str] = &["sqrt", "sin", "cos"];
 
 /// `a + b - c`
@@ -46,12 +48,12 @@ pub(super) fn number(input: &mut Cursor) -> Result<ExprSyntax> {
     Ok(ExprSyntax { kind: ExprKind::Sum(terms), extent: start.to(input.last()) })
 }
 
-/// Whether a formula goes on.
+/// Returns whether an operator is next.
 pub(super) fn is_operator_next(input: &Cursor) -> bool {
     ['*', '/', '^'].iter().any(|&sign| input.peek_punct(sign)) || is_sign_next(input)
 }
 
-/// Whether a sum goes on. `->` is an arrow of the route, never a minus.
+/// Returns whether a sign is next. `->` is an arrow of the route, never a minus.
 fn is_sign_next(input: &Cursor) -> bool {
     input.peek_punct('+') || (input.peek_punct('-') && !input.peek_pair('-', '>'))
 }
@@ -96,7 +98,7 @@ fn factors_extent(start: SpanRange, factors: &[FactorSyntax]) -> SpanRange {
     factors.last().map_or(start, |last| start.to(last.expr.extent))
 }
 
-/// A unit closes its product: `2 kg * 3` would read as a unit that is multiplied.
+/// Reports a factor after a unit: in `2 kg * 3` the unit would seem to be multiplied.
 fn check_closed(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     if input.peek_pair('*', '*') {
         return Err(Error::new(input.next_span(), POWERS));
@@ -113,14 +115,14 @@ fn check_closed(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     ))
 }
 
-/// A unit written right behind the digits, as in `0.5kg`.
+/// A unit directly after the digits, as in `0.5kg`.
 type Suffix = Option<(String, Span)>;
 
 /// `-a ^ 2`
 fn factor(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
     let start = SpanRange::token(input.next_span());
     let mut negative = false;
-    // A loop, so that no number of signs is too deep.
+    // A loop instead of recursion: any number of signs may be written.
     while input.punct('-').is_some() {
         negative = !negative;
     }
@@ -139,7 +141,7 @@ fn factor(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
 }
 
 fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
-    // What a `macro_rules!` passes on as one expression comes in a group without brackets.
+    // `macro_rules!` passes an expression in a group without delimiters.
     for delimiter in [Delimiter::None, Delimiter::Parenthesis] {
         if let Some((mut inside, extent)) = input.group(delimiter) {
             let expr = number(&mut inside)?;
@@ -196,8 +198,8 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
     Ok(entries)
 }
 
-/// How many there are of what is asked for: what is no number in its place is an error, a wrong
-/// number only the other one.
+/// Parses a count. A token that is no number is the outer error; a number that is out of range is
+/// the inner one.
 pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
     let number = || input.unexpected(asked);
     let Some(literal) = input.clone().literal() else { return Err(number()) };
@@ -230,12 +232,12 @@ fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
 }
 
-/// `Self` is refused with words of its own.
+/// `Self` has a separate message.
 fn is_keyword(word: &Ident) -> bool {
     word != "Self" && syn::parse_str::<Ident>(&word.to_string()).is_err()
 }
 
-/// Where `crate` may stand in a path, Rust says.
+/// Returns whether a word may be in a path; Rust checks where `crate` is allowed.
 fn can_be_in_path(word: &Ident) -> bool {
     !is_keyword(word) || ["crate", "self", "super"].iter().any(|known| word == known)
 }

@@ -1,26 +1,26 @@
-//! What the generated items take over from the description word for word.
+//! Tokens that the generated items have unchanged.
 
 use proc_macro2::{Ident, TokenStream};
 
-/// Tokens that pass through the compiler unread.
+/// Tokens that the compiler passes to the generated code unread.
 #[derive(Debug)]
 pub struct Passthrough {
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
-    /// Attributes, doc comments among them, of the chain.
+    /// Attributes of the chain, including its doc comments.
     pub attributes: Vec<syn::Attribute>,
-    /// The Rust paths that stand for numbers, in the order of [`crate::model::Symbol::Constant`].
+    /// The Rust paths of constants, in the order of [`crate::model::Symbol::Constant`].
     pub constants: Vec<TokenStream>,
-    /// Where names stand again.
+    /// Uses of names.
     pub references: References,
 }
 
-/// Names that an editor can follow to where they are given.
+/// Uses of names that an editor can follow to their definitions.
 #[derive(Debug, Default)]
 pub struct References {
-    /// Of hinges and bodies, in blocks behind the route.
+    /// Names of hinges and bodies in blocks after the route.
     pub elements: Vec<Ident>,
-    /// The names of all types of bodies where they are described.
+    /// The names of types of bodies in their own blocks.
     pub types: Vec<Ident>,
     /// The same on the route.
     pub uses_of_types: Vec<Ident>,

@@ -1,5 +1,5 @@
-//! What is left of a route behind an error, and words that are close to those of the language: read for
-//! the names in it.
+//! Error recovery in a route: the rest of it is read for its names, and misspelt keywords are
+//! reported.
 
 use proc_macro2::{Delimiter, Span};
 
@@ -8,7 +8,7 @@ use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
 use super::{lookahead, number, route_item};
 use crate::diag::{Diagnostics, nearest};
 
-/// Reads what is left of a route behind an error, for the names in it: nothing more is reported.
+/// Reads the rest of a route after an error for its names, without further messages.
 pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
     read.complete = false;
     let mut inside = *input;
@@ -29,7 +29,7 @@ pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
     }
 }
 
-/// A repeated part, whatever is in the place of its count and of its braces.
+/// Reads a repeated part, even if its count or its braces are wrong.
 fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'a>)> {
     let mut ahead = *input;
     let at = ahead.word("repeat")?;
@@ -46,7 +46,7 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
     None
 }
 
-/// A stop behind an error, or a token that begins none.
+/// Reads a route item after an error, or skips a token.
 pub(super) fn after_error(input: &mut Cursor, read: &mut RouteSyntax) {
     let mut ahead = *input;
     match route_item::route_item(&mut ahead, &mut Diagnostics::default()) {
@@ -61,7 +61,7 @@ pub(super) fn after_error(input: &mut Cursor, read: &mut RouteSyntax) {
     }
 }
 
-/// A word that is close to `repeat` with a count and braces behind it, which is reported.
+/// Reads and reports a misspelt `repeat` that a count and braces follow.
 pub(super) fn misspelt_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Span> {
     let mut ahead = *input;
     let word = ahead.ident()?;

@@ -1,4 +1,4 @@
-//! The route: stops joined by arrows.
+//! The route: route items joined by arrows.
 
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
@@ -12,7 +12,7 @@ use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
 use super::{branch, lookahead};
 use crate::diag::Diagnostics;
 
-/// All stops up to and with the `;`. Behind a mistake it goes on with the next statement.
+/// Parses a route including its `;`. After an error it continues with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteSyntax {
     let mut route =
         RouteSyntax { items: Vec::new(), repeats: Vec::new(), complete: true, further: Vec::new() };
@@ -29,7 +29,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
         };
         if let Err(error) = read {
             diagnostics.push(error);
-            // A `;` may be just what was found in place of a stop.
+            // The unexpected token may be the `;`.
             *input = before;
             recover::rest(input, &mut route);
             return route;
@@ -45,7 +45,7 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
         route.complete &= !separators.branches;
         if !joined {
             diagnostics.push(input.unexpected("`->` or `;`"));
-            // The last stop is as likely the mistake as what stands behind it.
+            // The error may be the last item or the token after it.
             if let Some(RouteItemSyntax::Element { after_error, .. }) = route.items.last_mut() {
                 *after_error = true;
             }
@@ -55,8 +55,8 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
     }
 }
 
-/// What stands behind `repeat`. A mistake in its count or in its stops is reported, and the route
-/// goes on behind it.
+/// Parses the rest of a repeated part after `repeat`. Errors in its count or in its items are
+/// reported, and the route continues after it.
 fn repeat(
     at: Span,
     input: &mut Cursor,
@@ -96,7 +96,7 @@ fn repeat(
     Ok(())
 }
 
-/// The stops in the braces of a `repeat`.
+/// Parses the items in the braces of a `repeat`.
 fn contents(
     mut inside: Cursor,
     route: &mut RouteSyntax,

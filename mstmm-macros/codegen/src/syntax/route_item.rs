@@ -1,4 +1,4 @@
-//! The stops of a route: hinges, bodies and ends.
+//! Items of the route: hinges, bodies and ends.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::Result;
@@ -9,10 +9,10 @@ use super::tree::{ArgumentsSyntax, RouteItemSyntax, ValueSyntax};
 use super::value;
 use crate::diag::Diagnostics;
 
-/// Words that belong in parentheses behind the kind of a hinge.
+/// Axes, which must be in parentheses after the kind of a hinge.
 pub(super) const AXES: &[&str] = &["x", "y", "z"];
 
-/// A stop.
+/// Parses a route item.
 pub(super) fn route_item(
     input: &mut Cursor,
     diagnostics: &mut Diagnostics,
@@ -38,7 +38,7 @@ pub(super) fn route_item(
     if arguments.is_none() && begins_hinge(&word) && is_misplaced(input) {
         return misplaced(&word, input, diagnostics);
     }
-    // A place may follow on the name, or on a body that is called by its type or its name only.
+    // A position may follow the name, or a body that is written by its type or its name only.
     let place = value::place(input);
     let name = if place.is_some() { None } else { name(input) };
     let place = place.or_else(|| value::place(input));
@@ -58,7 +58,7 @@ pub(super) fn route_item(
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
 }
 
-/// Refuses a place behind a moving end.
+/// Reports a position after a moving end.
 fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
     let start = *input;
     let position = input.word("at").map(|_| value::position(input)).transpose()?;
@@ -69,11 +69,11 @@ fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
     Ok(())
 }
 
-/// What is said where a moving end gets a place.
+/// The message for a position of a moving end.
 pub(super) const MOVING_HAS_NO_PLACE: &str =
     "a moving end has no position: its motion is given at each step";
 
-/// What stands in parentheses, if it is there.
+/// Parses the arguments in parentheses, if there are any.
 fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {
     match input.group(Delimiter::Parenthesis) {
         None => Ok(None),
@@ -81,19 +81,19 @@ fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {
     }
 }
 
-/// Whether this is the word of a hinge by its looks.
+/// Returns whether a word looks like the kind of a hinge.
 fn begins_hinge(word: &Ident) -> bool {
     word.to_string().starts_with(char::is_lowercase)
 }
 
-/// Whether what belongs in parentheses stands in other brackets.
+/// Returns whether arguments are in brackets other than parentheses.
 fn is_misplaced(input: &Cursor) -> bool {
     input.peek_group(Delimiter::Bracket)
         || input.peek_group(Delimiter::Brace)
         || input.peek_punct('<')
 }
 
-/// A hinge with other brackets than parentheses: nothing but its name can be read.
+/// Reports a hinge with brackets other than parentheses, and reads its name only.
 fn misplaced(
     word: &Ident,
     input: &mut Cursor,
@@ -114,7 +114,7 @@ fn misplaced(
     Ok(RouteItemSyntax::Unread { name })
 }
 
-/// What stands in the brackets that are next, for a message.
+/// Returns the content of the next brackets, for a message.
 fn inside(input: &Cursor) -> String {
     match input.clone().any() {
         Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {

@@ -1,29 +1,29 @@
-//! What joins the stops of a route.
+//! Separators of route items.
 
 use super::cursor::Cursor;
 use crate::diag::Diagnostics;
 
-/// What is said where a route branches.
+/// The message for a route that branches.
 pub(super) const BRANCHES: &str = "a chain has no branches: write a branch as a separate chain, \
                                    and couple the two by a `load` with `force = input` in each";
 
-/// What joins stops. Where it is written otherwise all along, that is reported once.
+/// Reads separators; wrong ones are reported once for each route.
 #[derive(Default)]
 pub(super) struct Separators {
     reported: bool,
-    /// Whether an arrow was read: then what stands in place of one may begin a branch.
+    /// Whether an arrow has been read: after one, another separator may begin a branch.
     has_arrow: bool,
-    /// Whether it did.
+    /// Whether a branch began.
     pub branches: bool,
 }
 
 impl Separators {
-    /// Between stops that are reported as a whole.
+    /// For items whose error is reported already.
     pub fn reported() -> Self {
         Separators { reported: true, ..Separators::default() }
     }
 
-    /// Reads a `->`, or what stands in its place.
+    /// Reads `->`, or a wrong separator.
     pub fn read(&mut self, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
         if input.pair('-', '>').is_some() {
             self.has_arrow = true;
@@ -36,7 +36,7 @@ impl Separators {
             signs += 1;
         }
         if input.peek_ident().is_none() {
-            // No stop stands behind it.
+            // No item follows.
             *input = before;
             return false;
         }

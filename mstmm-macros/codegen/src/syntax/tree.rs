@@ -1,4 +1,4 @@
-//! The description as written: every part keeps the tokens that a message can point at.
+//! The syntax tree: every node keeps the spans that messages point at.
 
 pub use crate::diag::SpanRange;
 
@@ -12,7 +12,7 @@ pub struct ChainSyntax {
     pub attributes: Vec<syn::Attribute>,
     /// Visibility of the generated types.
     pub visibility: syn::Visibility,
-    /// In how many directions it moves; nothing if the word for that is unknown.
+    /// The dimension; `None` if its keyword is unknown.
     pub dimension: Option<DimensionKeyword>,
     /// The chain's name.
     pub name: Ident,
@@ -24,11 +24,11 @@ pub struct ChainSyntax {
     pub blocks: Vec<BlockSyntax>,
     /// The route; missing if there is none.
     pub route: Option<RouteSyntax>,
-    /// Whether every item could be read. If not, nothing is missed on its account.
+    /// Whether every item was readable. If not, nothing is reported as missing.
     pub complete: bool,
 }
 
-/// Which word stands before `chain`.
+/// The keyword before `chain`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DimensionKeyword {
     /// `space`, or none
@@ -44,7 +44,7 @@ pub enum DimensionKeyword {
 pub struct ParameterSyntax {
     /// Name and value.
     pub field: FieldSyntax,
-    /// How many there are, if it is one for every time of a repeated part.
+    /// The number of values, if there is one for each repetition of a part.
     pub repetitions: Option<usize>,
 }
 
@@ -53,11 +53,11 @@ pub struct ParameterSyntax {
 pub struct FieldSyntax {
     /// What is given.
     pub name: Ident,
-    /// Its value; missing where it could not be read, which is reported already.
+    /// Its value; `None` if it was not readable, which is reported already.
     pub value: Option<ValueSyntax>,
 }
 
-/// Which word a block begins with.
+/// The keyword of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlockKeyword {
     /// `body`
@@ -73,38 +73,38 @@ pub enum BlockKeyword {
 /// `body name { … }`, `hinge name, … { … }`, `load name { … }` or `spring name { … }`
 #[derive(Debug)]
 pub struct BlockSyntax {
-    /// What it speaks of.
+    /// Its keyword.
     pub word: BlockKeyword,
-    /// Where that word stands.
+    /// The span of the keyword.
     pub at: Span,
-    /// Whom it speaks of, at least one.
+    /// The names that it describes, at least one.
     pub names: Vec<Ident>,
-    /// What it says.
+    /// Its fields.
     pub fields: Vec<FieldSyntax>,
     /// `point name = …;`
     pub points: Vec<FieldSyntax>,
-    /// Whether every field has a name. If not, none is missed on its account.
+    /// Whether every field has a name. If not, no field is reported as missing.
     pub complete: bool,
-    /// Whether it stands behind the route.
+    /// Whether it follows the route.
     pub after_route: bool,
 }
 
-/// Stops joined by arrows.
+/// Route items joined by arrows.
 #[derive(Debug)]
 pub struct RouteSyntax {
-    /// In the order written; those that are repeated stand here once.
+    /// The items in the order written; repeated ones are here once.
     pub items: Vec<RouteItemSyntax>,
-    /// The parts of it that are repeated, in the order written.
+    /// The repeated parts in the order written.
     pub repeats: Vec<RepeatSyntax>,
-    /// Whether all of it could be read. If not, nothing is missed on its account.
+    /// Whether all of it was readable. If not, nothing is reported as missing.
     pub complete: bool,
-    /// Routes that are written after the first one, an error. Their stops are here too, so that the
-    /// names on them are known.
+    /// Further routes, which are an error. Their items are in `items` too, so that their names are
+    /// known.
     pub further: Vec<FurtherRoute>,
 }
 
 impl RouteSyntax {
-    /// Adds a route that is written after this one and begins at this token.
+    /// Adds a further route that begins at this token.
     pub fn add(&mut self, at: Span, other: RouteSyntax) {
         let start = self.items.len();
         let moved = |items: Range<usize>| start + items.start..start + items.end;
@@ -113,61 +113,61 @@ impl RouteSyntax {
         let repeats = other.repeats.into_iter();
         self.repeats
             .extend(repeats.map(|repeat| RepeatSyntax { items: moved(repeat.items), ..repeat }));
-        // The two may be parts of one.
+        // Both may be parts of one route.
         self.complete = false;
     }
 
-    /// How many stops the first route has.
+    /// Returns the number of items of the first route.
     pub fn first_end(&self) -> usize {
         self.further.first().map_or(self.items.len(), |further| further.start)
     }
 }
 
-/// A route that is written after the first one.
+/// A further route.
 #[derive(Debug)]
 pub struct FurtherRoute {
     /// Its first token.
     pub at: Span,
-    /// Its first stop among those of all routes.
+    /// The index of its first item among those of all routes.
     pub start: usize,
 }
 
 /// `repeat count { item -> … }`
 #[derive(Debug)]
 pub struct RepeatSyntax {
-    /// Where the word stands.
+    /// The span of the keyword.
     pub at: Span,
-    /// How many times its stops stand in a row, at least once; missing where it could not be read.
+    /// The number of repetitions, at least one; `None` if it was not readable.
     pub count: Option<usize>,
-    /// Its stops, at least one, among those of the route.
+    /// The indices of its items, at least one, among those of the route.
     pub items: Range<usize>,
 }
 
 impl RepeatSyntax {
-    /// How one is written, for messages.
+    /// An example for messages.
     pub const EXAMPLE: &str = "write it as in `repeat 100 { pin joint -> Rod rod }`";
 }
 
-/// A stop of the route.
+/// An item of the route.
 #[derive(Debug)]
 pub enum RouteItemSyntax {
     /// `ground [at position] [turned …]`
     Ground {
-        /// The word itself.
+        /// The span of the keyword.
         at: Span,
-        /// Where the frame on the ground sits.
+        /// The position of the frame on the ground.
         position: Option<Box<ValueSyntax>>,
-        /// How the frame on the ground is turned.
+        /// The orientation of the frame on the ground.
         turned: Option<Box<OrientationSyntax>>,
     },
     /// `moving name`
     Moving {
-        /// The word itself.
+        /// The span of the keyword.
         at: Span,
         /// The name.
         name: Option<Ident>,
     },
-    /// A hinge of which only the name could be read, which is reported.
+    /// A hinge with an error that is reported; only its name is readable.
     Unread {
         /// The name.
         name: Option<Ident>,
@@ -176,27 +176,27 @@ pub enum RouteItemSyntax {
     Element {
         /// The kind of a hinge or the type of a body.
         word: Ident,
-        /// What stands in parentheses behind the word.
+        /// The arguments after the word.
         arguments: Option<ArgumentsSyntax>,
         /// The name.
         name: Option<Ident>,
-        /// Where a place on it is written, as in `crank.lug` or `crank at lug`, an error.
+        /// The span of a position on it, as in `crank.lug` or `crank at lug`, which is an error.
         place: Option<Span>,
-        /// Whether it follows on an error, so that no word of it is judged.
+        /// Whether it follows an error, so that its words are not checked.
         after_error: bool,
     },
 }
 
-/// What stands in parentheses behind the kind of a hinge.
+/// The arguments of a hinge.
 #[derive(Debug)]
 pub struct ArgumentsSyntax {
     /// Separated by commas.
     pub values: Vec<ValueSyntax>,
-    /// The parentheses and all in them.
+    /// The parentheses and their content.
     pub extent: SpanRange,
 }
 
-/// Anything that can stand behind `=`.
+/// A value: anything that may follow `=`.
 #[derive(Debug)]
 pub enum ValueSyntax {
     /// A number, with or without a unit, or a single word.
@@ -206,20 +206,20 @@ pub enum ValueSyntax {
     /// `[a, b, c] unit turned orientation`, or with a number in place of the vector
     Turned(Box<ValueSyntax>, OrientationSyntax),
     /// `word(a, b, …) unit about word`
-    FormSyntax(FormSyntax),
+    Form(FormSyntax),
     /// `a unit about word`
     About(ExprSyntax, Ident),
-    /// `body.point` or `body at point`, an error: the body, and all of it.
+    /// `body.point` or `body at point`, an error: the body, and the span of all.
     PlaceOn(Ident, SpanRange),
 }
 
-/// What stands behind `turned`.
+/// The orientation after `turned`.
 #[derive(Debug)]
 pub enum OrientationSyntax {
-    /// The angle of a turn about an axis that needs not be named.
+    /// The angle of a rotation about an axis that is known.
     Angle(ExprSyntax),
     /// `word(a, b, …) unit`
-    FormSyntax(FormSyntax),
+    Form(FormSyntax),
 }
 
 impl OrientationSyntax {
@@ -227,7 +227,7 @@ impl OrientationSyntax {
     pub fn extent(&self) -> SpanRange {
         match self {
             OrientationSyntax::Angle(angle) => angle.extent,
-            OrientationSyntax::FormSyntax(form) => form.extent(),
+            OrientationSyntax::Form(form) => form.extent(),
         }
     }
 }
@@ -239,13 +239,13 @@ impl ValueSyntax {
             ValueSyntax::Number(expr) => expr.extent,
             ValueSyntax::Vector(list) => list.extent,
             ValueSyntax::Turned(position, turn) => position.extent().to(turn.extent()),
-            ValueSyntax::FormSyntax(form) => form.extent(),
+            ValueSyntax::Form(form) => form.extent(),
             ValueSyntax::About(expr, point) => expr.extent.to(SpanRange::token(point.span())),
             ValueSyntax::PlaceOn(_, extent) => *extent,
         }
     }
 
-    /// What it is, for messages.
+    /// Describes the value for messages.
     pub fn described(&self) -> String {
         match self {
             ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => {
@@ -254,32 +254,32 @@ impl ValueSyntax {
             ValueSyntax::Number(_) => "a number".into(),
             ValueSyntax::Vector(_) => "a vector".into(),
             ValueSyntax::Turned(..) => "a rotated frame".into(),
-            ValueSyntax::FormSyntax(form) => format!("`{}(…)`", form.word),
+            ValueSyntax::Form(form) => format!("`{}(…)`", form.word),
             ValueSyntax::About(..) => "a number about a point".into(),
             ValueSyntax::PlaceOn(body, _) => format!("a point of `{body}`"),
         }
     }
 }
 
-/// Numbers with a common unit: `a, b, c` in brackets or parentheses, and the unit behind.
+/// Numbers with a common unit: `a, b, c` in brackets or parentheses, and the unit after them.
 #[derive(Debug)]
 pub struct ListSyntax {
-    /// Between the brackets.
+    /// The numbers between the brackets.
     pub entries: Vec<ExprSyntax>,
-    /// Behind the brackets.
+    /// The unit after the brackets.
     pub unit: Option<UnitSyntax>,
-    /// The brackets with all in them, without the unit.
+    /// The brackets and their content, without the unit.
     pub extent: SpanRange,
 }
 
 /// `word(a, b, …) unit about word`, such as `rpy(0, 0, 90) deg`.
 #[derive(Debug)]
 pub struct FormSyntax {
-    /// In front of the parentheses.
+    /// The keyword before the parentheses.
     pub word: Ident,
-    /// In the parentheses, with the unit behind them.
+    /// The numbers in the parentheses and the unit after them.
     pub list: ListSyntax,
-    /// Behind `about`.
+    /// The point after `about`.
     pub about: Option<Ident>,
 }
 
@@ -316,7 +316,7 @@ pub enum ExprKind {
     Product(Vec<FactorSyntax>),
     /// `a ^ 2`
     Power(Box<ExprSyntax>, i32),
-    /// `a kg`: a product and the unit that closes it.
+    /// `a kg`: a product and the unit at its end.
     Quantity(Box<ExprSyntax>, UnitSyntax),
     /// `sqrt(a)`
     Call(Ident, Vec<ExprSyntax>),
@@ -325,7 +325,7 @@ pub enum ExprKind {
 /// A term of a sum.
 #[derive(Debug)]
 pub struct TermSyntax {
-    /// Whether it is taken away.
+    /// Whether it is subtracted.
     pub negative: bool,
     /// The term.
     pub expr: ExprSyntax,
@@ -345,7 +345,7 @@ pub struct FactorSyntax {
 pub struct UnitSyntax {
     /// Its parts, at least one.
     pub factors: Vec<UnitFactorSyntax>,
-    /// Parentheses in it, a mistake.
+    /// Parentheses in it, which are an error.
     pub parentheses: Option<SpanRange>,
     /// From the first to the last token.
     pub extent: SpanRange,
@@ -358,6 +358,6 @@ pub struct UnitFactorSyntax {
     pub symbol: String,
     /// Where it stands.
     pub at: Span,
-    /// Its power, negative behind `/`.
+    /// Its power, negative after `/`.
     pub power: i32,
 }

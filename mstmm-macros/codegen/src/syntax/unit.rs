@@ -1,4 +1,4 @@
-//! Units have a grammar of their own: `kg*m^2`, and `m/s^2` is m/(s²).
+//! Units have a separate grammar: `kg*m^2`, and `m/s^2` is m/(s²).
 
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
@@ -7,13 +7,13 @@ use super::cursor::Cursor;
 use super::lookahead;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
-/// Words that may stand behind a number without being its unit.
+/// Words that may follow a number and are no units.
 const NOT_UNITS: &[&str] = &["about", "turned", "at", "point"];
 
-/// Powers beyond this one are slips of the keyboard.
+/// The maximum power; larger ones are typing errors.
 const HIGHEST_POWER: i32 = 9;
 
-/// A unit, if one is next.
+/// Parses a unit, if one is next.
 pub(super) fn optional(input: &mut Cursor) -> Result<Option<UnitSyntax>> {
     if let Some(unit) = in_parentheses(input) {
         return Ok(Some(unit));
@@ -25,7 +25,7 @@ pub(super) fn optional(input: &mut Cursor) -> Result<Option<UnitSyntax>> {
     behind(input, symbol, at).map(Some)
 }
 
-/// The rest of a unit whose first symbol is read already.
+/// Parses the rest of a unit after its first symbol.
 pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<UnitSyntax> {
     let mut factors = vec![UnitFactorSyntax { symbol, at, power: power(input)? }];
     let mut parentheses = None;
@@ -45,7 +45,7 @@ pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<Uni
     Ok(unit)
 }
 
-/// A unit in parentheses, which units do not have.
+/// Parses a unit in parentheses, which is an error.
 fn in_parentheses(input: &mut Cursor) -> Option<UnitSyntax> {
     let mut ahead = *input;
     let (mut inside, extent) = ahead.group(Delimiter::Parenthesis)?;
@@ -57,7 +57,7 @@ fn in_parentheses(input: &mut Cursor) -> Option<UnitSyntax> {
     Some(UnitSyntax { parentheses: Some(extent), extent, ..unit })
 }
 
-/// Refuses a second unit behind a unit. A longer word with a capital is the next stop of a route.
+/// Reports a second unit after a unit. A longer word with a capital is the next item of a route.
 fn check_single(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     let Some(next) = input.peek_ident().filter(|_| is_next(input)) else { return Ok(()) };
     let text = next.to_string();
@@ -69,7 +69,7 @@ fn check_single(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
 }
 
 impl UnitSyntax {
-    /// As it can be written, what divides at the end.
+    /// Returns the unit as text, with its divisors at the end.
     pub fn text(&self) -> String {
         let mut text = String::new();
         let (below, above): (Vec<_>, Vec<_>) = self.factors.iter().partition(|f| f.power < 0);
@@ -90,7 +90,7 @@ impl UnitSyntax {
     }
 }
 
-/// Reads `*` or `/` if a unit stands behind it: 1 or −1.
+/// Reads `*` or `/` if a unit follows: 1 or −1.
 fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
     let mut ahead = *input;
     let sign = if ahead.punct('*').is_some() {
@@ -107,7 +107,8 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
     Some(sign)
 }
 
-/// Whether the next word is a unit by its place: known or not, it is no field, path or call.
+/// Returns whether the next word is in the place of a unit, known or not: it is no field, path or
+/// call.
 fn is_next(input: &Cursor) -> bool {
     let mut ahead = *input;
     !lookahead::begins_item(input)
@@ -126,7 +127,7 @@ fn power(input: &mut Cursor) -> Result<i32> {
     if input.punct('^').is_none() { Ok(1) } else { exponent(input) }
 }
 
-/// A small whole number, as it stands behind `^`.
+/// Parses the whole number after `^`.
 pub(super) fn exponent(input: &mut Cursor) -> Result<i32> {
     let sign = if input.punct('-').is_some() { -1 } else { 1 };
     let literal = input.literal().ok_or_else(|| input.unexpected("a whole number"))?;

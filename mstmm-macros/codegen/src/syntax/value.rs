@@ -1,4 +1,4 @@
-//! Values: numbers, vectors and forms, and what is said about them.
+//! Values: numbers, vectors and forms, with their orientation or their reference point.
 
 use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
@@ -9,13 +9,13 @@ use super::tree::{
 };
 use super::{number, unit};
 
-/// Anything that can stand behind `=`.
+/// Parses a value.
 pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.is_empty() || input.peek_punct(';') {
         return Err(input.unexpected("a value"));
     }
     if is_form(input) {
-        return form(input).map(ValueSyntax::FormSyntax);
+        return form(input).map(ValueSyntax::Form);
     }
     let start = SpanRange::token(input.next_span());
     let position = position(input)?;
@@ -44,7 +44,7 @@ pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
     })
 }
 
-/// A vector, or a number in its place.
+/// Parses a vector, or a number in its place.
 pub(super) fn position(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.peek_group(Delimiter::Bracket) {
         return vector(input).map(ValueSyntax::Vector);
@@ -67,13 +67,13 @@ fn vector(input: &mut Cursor) -> Result<ListSyntax> {
     Ok(list)
 }
 
-/// `turned orientation`, if it is there.
+/// Parses `turned orientation`, if it is next.
 pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
     if input.word("turned").is_none() {
         return Ok(None);
     }
     if is_form(input) {
-        return form(input).map(OrientationSyntax::FormSyntax).map(Some);
+        return form(input).map(OrientationSyntax::Form).map(Some);
     }
     if input.peek_group(Delimiter::Bracket) {
         return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
@@ -81,7 +81,8 @@ pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
     number::number(input).map(OrientationSyntax::Angle).map(Some)
 }
 
-/// A place on what was just named: `.lug`, `at lug` or `at [x, y, z]`. Where it begins.
+/// Reads a position on the item before it: `.lug`, `at lug` or `at [x, y, z]`. Returns the span of
+/// its beginning.
 pub(super) fn place(input: &mut Cursor) -> Option<Span> {
     let mut ahead = *input;
     let at = if ahead.punct('.').is_some() {
@@ -92,7 +93,7 @@ pub(super) fn place(input: &mut Cursor) -> Option<Span> {
         let at = ahead.word("at")?;
         if ahead.ident().is_none() {
             ahead.group(Delimiter::Bracket)?;
-            // All of it is wrong, so that nothing is said of its parts.
+            // The whole position is an error, so its parts are not checked.
             let _unit = unit::optional(&mut ahead);
             let _turn = turned(&mut ahead);
         }
@@ -102,7 +103,7 @@ pub(super) fn place(input: &mut Cursor) -> Option<Span> {
     Some(at)
 }
 
-/// `about word`, if it is there.
+/// Parses `about word`, if it is next.
 fn about(input: &mut Cursor) -> Result<Option<Ident>> {
     match input.word("about") {
         None => Ok(None),
@@ -113,7 +114,8 @@ fn about(input: &mut Cursor) -> Result<Option<Ident>> {
 /// How a matrix is written.
 const MATRIX: &str = "matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])";
 
-/// `word(…)`, where the word is no function of numbers, or one of a form in other brackets.
+/// Returns whether a form is next: `word(…)` with a word that is no function of numbers, or the
+/// keyword of a form with any brackets.
 fn is_form(input: &Cursor) -> bool {
     let mut ahead = *input;
     let Some(word) = ahead.ident() else { return false };
@@ -162,7 +164,7 @@ fn rows(mut inside: Cursor, extent: SpanRange) -> Result<Vec<ExprSyntax>> {
 }
 
 impl ValueSyntax {
-    /// The single word that it is, such as `input`.
+    /// Returns the value if it is a single word, such as `input`.
     pub fn word(&self) -> Option<&Ident> {
         match self {
             ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => Some(word),

@@ -6,7 +6,7 @@ use crate::model::condition::Requirement;
 use crate::model::lower::{Draft, POINTS, RouteItem, listed};
 use crate::model::rules::MASS;
 
-/// A type of body that is on no route is a slip, most likely of the route.
+/// Reports types of bodies that the route does not use: most likely an error in the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     let lost = |item: &RouteItem| {
         matches!(
@@ -34,9 +34,10 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// A type of body has mass, centre of mass and inertia, and an output if something follows it.
+/// Reports missing fields: a type of body has a mass, a centre of mass and an inertia, and an
+/// output if a hinge follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
-    // A last hinge, which joins nothing, needs no output to be joined to.
+    // A hinge at the end, which is an error, needs no output.
     let is_hinge = |item: &RouteItem| matches!(item, RouteItem::Hinge { .. });
     let joined = draft.items.iter().rposition(|item| !is_hinge(item)).map_or(0, |last| last + 1);
     let (last, items) = match draft.items[..joined].split_last() {
@@ -44,10 +45,10 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
         None => (None, &draft.items[..]),
     };
     let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
-        // By its own hinge, but for the last time.
+        // The next repetition follows, except after the last one.
         repeat.count.is_some_and(|count| count > 1) && repeat.items.end >= joined
     });
-    // In a route with errors nobody knows which bodies are followed by a hinge.
+    // If the route has errors, it is unknown which bodies a hinge follows.
     let is_again = |item: &RouteItem| matches!(item, RouteItem::Duplicate { .. });
     let is_whole = draft.def.route.as_ref().is_some_and(|route| route.complete)
         && !draft.items.iter().any(is_again);
@@ -63,10 +64,10 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Methods of the results at a body, which no named point can have the name of.
+/// Methods of the results at a body, which are no names for points.
 const RESERVED: &[&str] = &["clone"];
 
-/// A type of body has a point of a name once, and not one that every body has.
+/// Reports points with the name of another point of the type, or of a point that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for body in &draft.types {
         for (index, point) in body.points.iter().enumerate() {
@@ -85,7 +86,7 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
     }
 }
 
-/// A body without mass has no acceleration.
+/// Requires positive masses.
 pub(super) fn masses_are_positive(draft: &Draft) -> Vec<Requirement> {
     let masses = draft.types.iter().filter_map(|body| body.mass.as_ref());
     masses.map(|mass| vec![MASS.condition(mass.value.clone(), mass.at)]).collect()

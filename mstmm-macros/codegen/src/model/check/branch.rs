@@ -1,9 +1,9 @@
-//! Routes that are written after the first one: what is meant by them, and the way round.
+//! Messages for further routes: what they probably mean, and what to write instead.
 
 use crate::model::lower::RouteItem;
 use proc_macro2::Ident;
 
-/// What to say of a route that is written after the first one.
+/// Returns the message for a further route.
 pub(super) fn of_route(first: &[RouteItem], further: &[RouteItem]) -> String {
     let is_moving = |name: &Ident| {
         let is_it = |item: &RouteItem| matches!(item, RouteItem::Moving { name: Some(end), .. } if *end == name);
@@ -50,17 +50,18 @@ fn is_called(item: Option<&RouteItem>, name: &Ident) -> bool {
     matches!(item, Some(body @ RouteItem::Body { .. }) if body.name() == Some(name))
 }
 
-/// Whether this body is the last stop.
+/// Returns whether this body is the last item.
 fn is_last(items: &[RouteItem], name: &Ident) -> bool {
     is_called(items.last(), name)
 }
 
-/// Whether this body is the first stop.
+/// Returns whether this body is the first item.
 fn is_first(items: &[RouteItem], name: &Ident) -> bool {
     is_called(items.first(), name)
 }
 
-/// Whether a route may be the rest of the first one: a hinge follows on a body, or a body on a hinge.
+/// Returns whether a route may continue the first one: a hinge follows a body, or a body follows a
+/// hinge.
 fn is_continued(first: &[RouteItem], further: &[RouteItem]) -> bool {
     let pair = (first.last(), further.first());
     let hinge_follows = matches!(

@@ -1,15 +1,16 @@
-//! Hinges in a row, without a body between them.
+//! Advice for hinges without a body between them.
 
 use crate::math::Vec3;
 use crate::model::lower::{RouteItem, Spanned};
 use crate::model::{HingeKind, Value};
 
-/// Directions whose sine, or cosine, is less than this are parallel, or at a right angle.
+/// Directions are parallel if the sine of their angle is less than this, and perpendicular if its
+/// cosine is.
 const ALIKE: f64 = 1e-6;
 
 type Vector = Vec3<f64>;
 
-/// What to write in place of hinges in a row, as the end of a message.
+/// Returns the end of a message: what to write instead of hinges in a row.
 pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
     match compound(hinges, defaults) {
         Some(kind) => format!("; write one hinge `{kind}` instead"),
@@ -17,7 +18,7 @@ pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
     }
 }
 
-/// The kind that does what all of these do, if there is one.
+/// Returns the kind of hinge that is equivalent to all of these, if there is one.
 fn compound(hinges: &[RouteItem], defaults: &[Option<f64>]) -> Option<&'static str> {
     let kinds: Option<Vec<&HingeKind>> = hinges
         .iter()
@@ -43,7 +44,7 @@ fn compound(hinges: &[RouteItem], defaults: &[Option<f64>]) -> Option<&'static s
     }
 }
 
-/// An axis with its largest component 1, if it is known and has a direction; parameters count with
+/// Scales an axis to a largest component of 1; `None` if it is unknown or zero. Parameters have
 /// their defaults.
 fn direction(axis: &[Value; 3], defaults: &[Option<f64>]) -> Option<Vector> {
     let [x, y, z] = axis.each_ref().map(|component| component.at(defaults));

@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Two axes whose directions differ by less than this, in rad, are one.
 const PARALLEL: f64 = 1e-6;
 
-/// The hinges that could be read, with what stands in parentheses behind their kinds.
+/// Returns the readable hinges, with their arguments.
 fn hinges<'d>(
     draft: &'d Draft,
 ) -> impl Iterator<Item = (&'d Spanned<HingeKind>, Option<&'d ArgumentsSyntax>)> {
@@ -22,7 +22,7 @@ fn hinges<'d>(
     })
 }
 
-/// Where what stands at this place in the parentheses is.
+/// Returns the span of an argument.
 fn argument(
     hinge: &Spanned<HingeKind>,
     arguments: Option<&ArgumentsSyntax>,
@@ -32,7 +32,7 @@ fn argument(
     written.map_or(hinge.at, |written| written.extent())
 }
 
-/// An axis of zeros points nowhere.
+/// Requires axes that are not zero.
 pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
     let direction = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let direction = |(index, axis): (usize, &[Value; 3])| {
@@ -45,7 +45,7 @@ pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
     hinges(draft).flat_map(direction).collect()
 }
 
-/// Turns about two parallel axes are one turn.
+/// Requires that the axes of a universal hinge are not parallel.
 pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
     let not_parallel = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let HingeKind::Universal { axes: [a, b] } = &hinge.value else { return None };
@@ -63,8 +63,8 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
     hinges(draft).filter_map(not_parallel).collect()
 }
 
-/// An axis with its largest component ±1 where it is known, so that no square is too large or too
-/// small for a number.
+/// Scales a known axis to a largest component of ±1, so that squares neither overflow nor
+/// underflow.
 fn scaled(axis: &[Value; 3]) -> [Value; 3] {
     let known = axis.iter().map(|component| component.known().map(f64::abs));
     match known.reduce(|a, b| Some(a?.max(b?))).flatten() {
@@ -75,7 +75,7 @@ fn scaled(axis: &[Value; 3]) -> [Value; 3] {
     }
 }
 
-/// The square of the length of an axis, scaled where it is known.
+/// Returns the squared length of an axis, which is scaled if it is known.
 fn square(axis: &[Value; 3]) -> Value {
     let [x, y, z] = scaled(axis).map(|component| component.clone().times(component));
     x.plus(y).plus(z)
@@ -88,7 +88,7 @@ fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {
     [minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)]
 }
 
-/// The angles of an elastic hinge say nothing where its pitch is a right angle.
+/// Requires pitch angles of elastic hinges below a right angle, where the angles are singular.
 pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<Requirement> {
     let mut seen: Vec<&FieldSyntax> = Vec::new();
     let mut requirements = Vec::new();
@@ -120,10 +120,10 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
     requirements
 }
 
-/// Where the second of three angles stands behind `turned`.
+/// Returns the span of the second angle after `turned`.
 fn pitch_of(field: &FieldSyntax) -> SpanRange {
     match &field.value {
-        Some(ValueSyntax::Turned(_, OrientationSyntax::FormSyntax(form))) => {
+        Some(ValueSyntax::Turned(_, OrientationSyntax::Form(form))) => {
             form.list.entries.get(1).map_or(form.extent(), |entry| entry.extent)
         }
         Some(other) => other.extent(),
@@ -131,8 +131,7 @@ fn pitch_of(field: &FieldSyntax) -> SpanRange {
     }
 }
 
-/// A hinge whose motion is given has no motor beside it, and is no part of the state that has a
-/// start.
+/// Reports motors and start values of prescribed hinges, which have no part in the state.
 pub(super) fn motions_are_given_alone(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut reported: Vec<&FieldSyntax> = Vec::new();
     for (item, properties) in draft.items.iter().zip(&draft.properties) {

@@ -5,7 +5,7 @@ use crate::model::lower::{BodyType, Draft, Spanned};
 use crate::model::rules::MOMENT;
 use crate::model::{Dimension, Inertia, Value};
 
-/// No moment of inertia is negative.
+/// Requires moments of inertia that are not negative.
 pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     let moments = draft.types.iter().filter_map(|body| {
         let inertia = body.inertia.as_ref()?;
@@ -18,7 +18,7 @@ pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     moments.flatten().collect()
 }
 
-/// No body has an inertia that its mass could not make, about any point.
+/// Requires that a distribution of mass with this inertia exists, about any point.
 pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft) -> Vec<Requirement> {
     let bodies = draft.types.iter();
     bodies.filter_map(|body| Some(real(draft.space, body, body.inertia.as_ref()?))).collect()

@@ -1,4 +1,4 @@
-//! What acts on bodies from outside.
+//! Loads and springs on bodies.
 
 use crate::diag::Diagnostics;
 use crate::model::Value;
@@ -6,7 +6,7 @@ use crate::model::condition::Requirement;
 use crate::model::lower::{Draft, Spanned, listed};
 use crate::model::rules::{DAMPING, LENGTH, STIFFNESS, ValueRule};
 
-/// A load acts on a body, by a force or a torque.
+/// Reports missing fields of loads: a load needs a body and a force or a torque.
 pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     for load in &draft.loads {
         let missing = load.missing();
@@ -17,7 +17,7 @@ pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// A spring joins a body to a point on the ground, and is stiff.
+/// Reports missing fields of springs.
 pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     for spring in &draft.springs {
         let missing = spring.missing();
@@ -28,7 +28,7 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
     }
 }
 
-/// No spring has a negative stiffness, damping or length.
+/// Requires that stiffness, damping and length of springs are not negative.
 pub(super) fn spring_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     let numbers = draft.springs.iter().flat_map(|spring| {
         [

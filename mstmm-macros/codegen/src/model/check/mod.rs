@@ -1,4 +1,5 @@
-//! What can be wrong with a chain whose every part could be read: one function for each rule.
+//! The rules of the model, one function each. They are checked after everything readable has been
+//! read.
 
 mod body;
 mod branch;
@@ -16,10 +17,10 @@ use super::condition::{Requirement, judge};
 use super::lower::Draft;
 use crate::diag::Diagnostics;
 
-/// A rule on numbers: what must hold of them.
+/// A rule on values: returns the requirements on them.
 type NumberRule = fn(&Draft) -> Vec<Requirement>;
 
-/// All rules on numbers.
+/// All rules on values.
 const NUMBER_RULES: &[NumberRule] = &[
     number::numbers_are_finite,
     body::masses_are_positive,
@@ -34,8 +35,8 @@ const NUMBER_RULES: &[NumberRule] = &[
     load::spring_numbers_are_not_negative,
 ];
 
-/// A rule: it reports where a chain breaks it. It says nothing where a part is missing on account
-/// of another mistake.
+/// A rule: reports where a chain breaks it. It is silent if a part is missing because of another
+/// error.
 type ModelRule = fn(&Draft, &mut Diagnostics);
 
 /// All rules.
@@ -68,7 +69,8 @@ const RULES: &[ModelRule] = &[
     load::springs_are_complete,
 ];
 
-/// Tries all rules. What hangs on Rust constants alone comes back, for `const` assertions.
+/// Checks all rules. Returns the requirements that depend on Rust constants, for `const`
+/// assertions.
 pub(super) fn check(draft: &Draft, diagnostics: &mut Diagnostics) -> Vec<Requirement> {
     for rule in RULES {
         rule(draft, diagnostics);

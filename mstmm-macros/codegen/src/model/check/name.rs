@@ -9,7 +9,7 @@ use crate::diag::Diagnostics;
 use crate::model::lower::{Draft, KINDS, RouteItem};
 use crate::syntax::FUNCTIONS;
 
-/// Methods of the generated types, which no hinge, body or parameter can be named after.
+/// Methods of the generated types, which are no names for hinges, bodies or parameters.
 const RESERVED: &[&str] = &[
     "q",
     "q_mut",
@@ -46,16 +46,16 @@ const RESERVED: &[&str] = &[
 /// Fields that the inputs of a chain may have.
 const INPUTS: &[&str] = &["gravity"];
 
-/// Words that a type of body cannot be named after, with the kinds of hinges.
+/// Keywords that are no names for types of bodies, in addition to the kinds of hinges.
 const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
 
-/// Words that a number cannot be named after, with the functions.
+/// Keywords that are no names for parameters, in addition to the functions.
 const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
 
-/// Words that items begin with, which nothing can be named after.
+/// Keywords of items, which are no names for anything.
 const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 
-/// Keywords that older editions of Rust, and so the parser, let pass.
+/// Keywords of newer editions of Rust, which the parser accepts as names.
 const LATER_KEYWORDS: &[&str] = &["gen"];
 
 /// A name of a hinge, a body, a moving end, a parameter, a load or a spring.
@@ -63,9 +63,9 @@ struct UsedName<'a> {
     ident: &'a Ident,
     /// Whether it was made from the name of the type.
     made: bool,
-    /// The methods that it has beside the one of its name: what they begin and end with.
+    /// The prefixes and suffixes of its further methods.
     also: &'static [(&'static str, &'static str)],
-    /// What to say where the name is used before, if more than that.
+    /// The end of the message if the name is used already.
     twice: &'static str,
 }
 
@@ -85,13 +85,14 @@ fn names<'a>(draft: &'a Draft) -> Vec<UsedName<'a>> {
     parameters.chain(items).chain(acting).collect()
 }
 
-/// What to say of a stop by the name of one before it, if it may be meant to close a loop there.
+/// Returns the end of the message for an item with the name of an earlier one: it may be meant to
+/// close a loop.
 fn twice(draft: &Draft, index: usize) -> &'static str {
     let (before, behind) = draft.items.split_at(index);
     let is_same = |other: &RouteItem| other.name() == behind.first().and_then(RouteItem::name);
     match behind {
         [RouteItem::Body { word, .. }]
-            // A hinge back to the body that it comes from is no loop.
+            // A hinge back to the same body is no loop.
             if before.iter().rev().skip(2).any(|other| {
                 is_same(other) && matches!(other, RouteItem::Body { word: same, .. } if same == word)
             }) =>
@@ -105,13 +106,13 @@ fn twice(draft: &Draft, index: usize) -> &'static str {
     }
 }
 
-/// The methods by which a state is changed.
+/// The methods that change a state.
 const CHANGED: &[(&str, &str)] = &[("", "_mut")];
 /// Those of a repeated hinge.
 const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
 
 impl UsedName<'_> {
-    /// The methods that it has beside the one of its name.
+    /// Returns the names of its further methods.
     fn methods(&self) -> impl Iterator<Item = String> {
         self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.ident))
     }
@@ -123,11 +124,11 @@ fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a Ident> {
     draft.loads.iter().map(|load| load.name).chain(springs)
 }
 
-/// Names become methods and types, so they must be identifiers that are no keywords of Rust.
+/// Reports names that are Rust keywords: names become methods and types.
 pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics) {
     let types = draft.types.iter().map(|body| body.name);
     let mut names = names(draft);
-    // A name that is the one of its type: the type is reported.
+    // If the name is made from the type, the type is reported.
     names.retain(|name| !name.made || types.clone().all(|of_type| of_type.unraw() != *name.ident));
     let points = draft.types.iter().flat_map(|body| &body.points).map(|point| point.name);
     let all = names.iter().map(|name| name.ident).chain(types).chain(points);
@@ -142,7 +143,7 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
     }
 }
 
-/// The generated types are generic over their numbers, `T`.
+/// Reports chains with the name `T`, the scalar type of the generated types.
 pub(super) fn chains_are_not_called_like_their_numbers(
     draft: &Draft,
     diagnostics: &mut Diagnostics,
@@ -154,11 +155,11 @@ pub(super) fn chains_are_not_called_like_their_numbers(
     }
 }
 
-/// Hinges, bodies, parameters and what acts on bodies are called by their names: no two have the
-/// same one. A hinge or body `x` has a method `x_mut` too, and a repeated hinge `set_each_x`.
+/// Reports names of hinges, bodies, parameters, loads and springs that are used twice. A hinge or
+/// body `x` also has the method `x_mut`, and a repeated hinge `set_each_x`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
-    // Whose each method is.
+    // The owner of each method.
     let mut owners: HashMap<String, &Ident> = HashMap::new();
     for name in &names {
         let text = name.ident.to_string();
@@ -177,7 +178,7 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
     }
 }
 
-/// The inputs of a load `x` are called `x_force` and `x_torque`.
+/// Reports names that equal an input of a load: a load `x` has the inputs `x_force` and `x_torque`.
 pub(super) fn inputs_of_loads_have_a_name_of_their_own(
     draft: &Draft,
     diagnostics: &mut Diagnostics,
@@ -196,7 +197,7 @@ pub(super) fn inputs_of_loads_have_a_name_of_their_own(
     }
 }
 
-/// A hinge, body or parameter must leave the methods alone that every chain has.
+/// Reports names of hinges, bodies and parameters that are methods of every chain.
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
     for name in names(draft) {
         let text = name.ident.to_string();
@@ -212,14 +213,14 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
     }
 }
 
-/// A word that an item begins with can be no name.
+/// Reports names that are keywords of items.
 pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     let names = names.iter().filter(|name| !name.made).map(|name| name.ident);
     refuse_words(names, ITEM_WORDS, diagnostics);
 }
 
-/// A type of body is described once.
+/// Reports types of bodies with several blocks.
 pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (index, body) in draft.types.iter().enumerate() {
         if draft.types[..index].iter().any(|other| other.name == body.name) {
@@ -229,7 +230,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
     }
 }
 
-/// A type of body cannot be named after a word of the route.
+/// Reports types of bodies with the name of a keyword of the route.
 pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
     let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
@@ -237,7 +238,7 @@ pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &m
     refuse_words(names, &words, diagnostics);
 }
 
-/// A parameter cannot be named after a word that stands for a number.
+/// Reports parameters with the name of a keyword for a number.
 pub(super) fn parameters_are_not_words_of_the_language(
     draft: &Draft,
     diagnostics: &mut Diagnostics,

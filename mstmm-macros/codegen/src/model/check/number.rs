@@ -1,9 +1,9 @@
-//! Numbers anywhere in a description.
+//! Requirements on all numbers of a description.
 
 use crate::model::condition::Requirement;
 use crate::model::lower::Draft;
 
-/// No number is infinite or undefined, and no quaternion is zero.
+/// Requires finite numbers, and quaternions that are not zero.
 pub(super) fn numbers_are_finite(draft: &Draft) -> Vec<Requirement> {
     draft.requirements.clone()
 }

@@ -7,7 +7,7 @@ use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
 use crate::model::{Passive, Representation};
 use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
 
-/// Fields that say nothing without another one.
+/// Fields that need another field.
 const NEEDED: &[(FieldName, FieldName)] = &[
     (|names| names.friction, |names| names.friction_speed),
     (|names| names.limits, |names| names.limit_stiffness),
@@ -18,7 +18,7 @@ const NEEDED: &[(FieldName, FieldName)] = &[
 
 type FieldName = fn(&FieldNames) -> &'static str;
 
-/// What is said of a group of degrees of freedom.
+/// The fields of a group of degrees of freedom.
 struct PassiveGroup<'d> {
     fields: &'d Fields<'d>,
     names: &'static FieldNames,
@@ -26,7 +26,7 @@ struct PassiveGroup<'d> {
     passive: &'d [Passive],
 }
 
-/// All groups of all hinges that could be read.
+/// Returns all groups of all readable hinges.
 fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = PassiveGroup<'d>> {
     let hinges = draft.items.iter().zip(&draft.properties).filter_map(|(item, properties)| {
         let RouteItem::Hinge { spec, .. } = item else { return None };
@@ -40,14 +40,14 @@ fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = PassiveGroup<'d>> {
     })
 }
 
-/// Mistakes in fields that several hinges may share: each is reported once.
+/// Reported errors in fields that several hinges may share: each is reported once.
 #[derive(Default)]
 struct Once<'d> {
     reported: Vec<(&'d FieldSyntax, usize)>,
 }
 
 impl<'d> Once<'d> {
-    /// Whether this is the first mistake in this entry of the field.
+    /// Returns whether this is the first error in this entry of the field.
     fn is_new(&mut self, field: &'d FieldSyntax, entry: usize) -> bool {
         let same =
             |(other, at): &(&FieldSyntax, usize)| std::ptr::eq(*other, field) && *at == entry;
@@ -59,7 +59,7 @@ impl<'d> Once<'d> {
     }
 }
 
-/// Friction needs the speed that makes it smooth, limits their stiffness; neither is of use alone.
+/// Reports friction without the speed that smooths it, limits without a stiffness, and the reverse.
 pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut once = Once::default();
     for PassiveGroup { fields, names, .. } in all_groups(draft) {
@@ -76,12 +76,12 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
     }
 }
 
-/// What is passive gives no energy.
+/// Requires values that dissipate or store energy: none is negative.
 pub(super) fn passive_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     requirements(draft, Bound::NotBeNegative)
 }
 
-/// Speeds of friction and the stiffness of limits are no zeros.
+/// Requires positive speeds of friction and stiffness of limits.
 pub(super) fn speeds_and_limits_are_positive(draft: &Draft) -> Vec<Requirement> {
     requirements(draft, Bound::BePositive)
 }
@@ -106,7 +106,7 @@ fn requirements(draft: &Draft, must: Bound) -> Vec<Requirement> {
     requirements
 }
 
-/// Which number of a field speaks of this strain, and where it stands.
+/// Returns the index and the span of the number of a field for this strain.
 fn entry(field: &FieldSyntax, strain: usize) -> Option<(usize, SpanRange)> {
     match field.value.as_ref()? {
         ValueSyntax::Vector(list) => Some((strain, list.entries.get(strain)?.extent)),
@@ -114,7 +114,7 @@ fn entry(field: &FieldSyntax, strain: usize) -> Option<(usize, SpanRange)> {
     }
 }
 
-/// The lowest limit is below the highest one.
+/// Requires that the lowest limit is below the highest one.
 pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();

@@ -5,7 +5,7 @@ use crate::diag::Diagnostics;
 use crate::model::lower::{Draft, RouteItem};
 use crate::syntax::RepeatSyntax;
 
-/// The repeated parts of a route that could be read, each with its stops.
+/// Returns the readable repeated parts of the route, each with its items.
 fn repeats<'d, 'a>(
     draft: &'d Draft<'a>,
 ) -> impl Iterator<Item = (&'d RepeatSyntax, &'d [RouteItem<'a>])> {
@@ -14,7 +14,7 @@ fn repeats<'d, 'a>(
     written.filter_map(|repeat| Some((repeat, items.get(repeat.items.clone())?)))
 }
 
-/// The first hinge of a repeated part joins it to what stands before.
+/// Reports a repeated part at the beginning of a route: its first hinge needs an inboard body.
 pub(super) fn repeats_follow_something(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (repeat, _) in repeats(draft) {
         if repeat.items.start == 0 {
@@ -25,7 +25,7 @@ pub(super) fn repeats_follow_something(draft: &Draft, diagnostics: &mut Diagnost
     }
 }
 
-/// The contents of a repeated part follow on themselves: a hinge comes first and a body last.
+/// Reports repeated parts that do not begin with a hinge or do not end with a body.
 pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
     draft: &Draft,
     diagnostics: &mut Diagnostics,
@@ -49,7 +49,7 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
     }
 }
 
-/// An end of the chain is there once.
+/// Reports ends of the chain in a repeated part.
 pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     for item in repeats(draft).flat_map(|(_, items)| items) {
         let (at, word) = match item {
@@ -67,7 +67,8 @@ pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics)
     }
 }
 
-/// A repeated part is run through from the side that the chain is held at, or floats from: its start.
+/// Reports repeated parts in a chain that is held at its end only: repetitions are evaluated from
+/// the held or floating start.
 pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagnostics) {
     let items = whole_route(draft);
     let [RouteItem::Body { .. }, .., RouteItem::Ground { .. } | RouteItem::Moving { .. }] = items

@@ -8,8 +8,7 @@ use crate::model::Drive;
 use crate::model::lower::{Draft, ItemProperties, RouteItem, listed};
 use crate::syntax::RepeatSyntax;
 
-/// The stops, if all of the route could be read; what is lost cannot be judged. One without a body
-/// is a mistake as a whole.
+/// Returns the items if the whole route is readable and has a body, and nothing otherwise.
 pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
     let items = readable_route(draft);
     if has_body(items) { items } else { &[] }
@@ -32,7 +31,7 @@ fn has_body(items: &[RouteItem]) -> bool {
     items.iter().any(is_body)
 }
 
-/// What a message about a stop points at, and how it calls the stop.
+/// Returns the span and the description of an item for a message.
 pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
     match item {
         RouteItem::Ground { at, .. } => Some((*at, "`ground`".into())),
@@ -49,7 +48,7 @@ pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
     }
 }
 
-/// A chain has one route, and at least one body on it.
+/// Reports a missing route, and a route without a body.
 pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
     if draft.def.route.is_none() && draft.def.complete {
@@ -67,7 +66,7 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
     }
 }
 
-/// A chain has one route.
+/// Reports further routes.
 pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
     let Some(route) = &draft.def.route else { return };
     let ends = route.further.iter().skip(1).map(|further| further.start);
@@ -78,13 +77,13 @@ pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The repeated part that a stop is in.
+/// Returns the repeated part that contains an item.
 pub(super) fn repeat_around<'d>(draft: &'d Draft, item: usize) -> Option<&'d RepeatSyntax> {
     let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
     repeats.find(|repeat| repeat.items.contains(&item))
 }
 
-/// Only the ends of the chain are held or moved.
+/// Reports `ground` and moving ends within the route.
 pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     let [_, middle @ .., _] = whole_route(draft) else { return };
     for (index, item) in middle.iter().enumerate() {
@@ -104,7 +103,7 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
     }
 }
 
-/// Between two bodies, and between an end and a body, there is one hinge.
+/// Reports bodies without a hinge between them, and hinges without a body between them.
 pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
     let items = whole_route(draft);
     let defaults = draft.defaults();
@@ -161,7 +160,7 @@ pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagn
     }
 }
 
-/// The hinges in a row that begin at this stop; nothing if it is not the first of them.
+/// Returns the hinges in a row that begin at this item; `None` if it is not the first of them.
 fn hinges_in_a_row<'d, 'a>(
     items: &'d [RouteItem<'a>],
     first: usize,
@@ -182,8 +181,8 @@ fn bodies_are_missing(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String 
     format!("hinges {} have no body between them{advice}", listed(&names))
 }
 
-/// Whether a repeated part begins or ends between this stop and the next one and does so with the
-/// wrong stop, which is reported there.
+/// Returns whether a repeated part begins or ends between this item and the next one with a wrong
+/// item, which another rule reports.
 fn boundary_is_wrong(draft: &Draft, item: usize) -> bool {
     let begins = repeat_around(draft, item + 1).filter(|repeat| repeat.items.start == item + 1);
     let ends = repeat_around(draft, item).filter(|repeat| repeat.items.end == item + 1);
@@ -191,7 +190,7 @@ fn boundary_is_wrong(draft: &Draft, item: usize) -> bool {
         || (ends.is_some() && !matches!(draft.items[item], RouteItem::Body { .. }))
 }
 
-/// A free end is a body's: a hinge at the end would join it to nothing.
+/// Reports hinges at an end of the route.
 pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
     let items = whole_route(draft);
     let Some(last) = items.len().checked_sub(1) else { return };
@@ -207,7 +206,7 @@ pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &m
     }
 }
 
-/// Between two ends that are held or moved, something must give way.
+/// Reports closed chains without a hinge that is free to move.
 pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
     let is_end =
         |item: &RouteItem| matches!(item, RouteItem::Ground { .. } | RouteItem::Moving { .. });

@@ -1,4 +1,4 @@
-//! Cylindrical: a way in m and an angle in rad.
+//! Cylindrical: a displacement in m and an angle in rad.
 
 use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
 

@@ -1,4 +1,4 @@
-//! Floating: a place in m and a unit quaternion (w, x, y, z); a velocity in m/s and an angular
+//! Floating: a position in m and a unit quaternion (w, x, y, z); a velocity in m/s and an angular
 //! velocity in rad/s.
 
 use super::{HingeSpec, StateView, ViewArgument, one, quaternion, shifts, zero};

@@ -1,6 +1,6 @@
-//! Hinges: what they let free, what acts along it, and what all phases need to know of each kind
-//! besides its words and its equations: how many numbers it has, what they are called, and how they
-//! are handed out. A file each.
+//! Hinges: their degrees of freedom, the forces along them, and the properties of each kind that
+//! all phases need: its coordinates and rates with their names, and the view that shows them. One
+//! file for each kind.
 
 mod ball;
 mod cylindrical;
@@ -18,91 +18,95 @@ use super::{Attachment, Value};
 use proc_macro2::Ident;
 use std::ops::Range;
 
-/// A hinge between two places. It turns or moves the outboard frame against the inboard one.
+/// A hinge between two attachments: a joint that moves the outboard frame relative to the inboard
+/// frame.
 #[derive(Clone, Debug)]
 pub struct Hinge {
     /// The name on the route.
     pub name: Ident,
-    /// What it lets free.
+    /// Its kind.
     pub kind: HingeKind,
-    /// Where its inboard side sits.
+    /// The attachment of its inboard side.
     pub inboard: Attachment,
-    /// Where its outboard side sits.
+    /// The attachment of its outboard side.
     pub outboard: Attachment,
     /// Start coordinates, as many as the kind has: see [`HingeKind`].
     pub start: Vec<Value>,
     /// Start rates, as many as the kind has degrees of freedom.
     pub start_rate: Vec<Value>,
-    /// The coordinates in which its springs are at rest.
+    /// The coordinates at which its springs exert no effort.
     pub rest: Vec<Value>,
-    /// What moves it.
+    /// What drives it.
     pub drive: Drive,
-    /// What acts on each of its strains, as many as the kind has degrees of freedom.
+    /// The passive forces along each of its strains, as many as the kind has degrees of freedom.
     pub passive: Vec<Passive>,
 }
 
-/// What a hinge lets free. Axes are as written, of any length but zero.
+/// The kind of a hinge. Axes are as written, of any length except zero.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HingeKind {
-    /// Nothing.
+    /// No degrees of freedom.
     Weld,
-    /// A turn about an axis fixed on both sides; coordinate: the angle in rad.
+    /// Revolute: rotation about an axis fixed on both sides; coordinate: the angle in rad.
     Pin {
         /// The axis, components the same on both sides.
         axis: [Value; 3],
     },
-    /// A shift along an axis fixed on both sides; coordinate: the way in m.
+    /// Prismatic: translation along an axis fixed on both sides; coordinate: the displacement in m.
     Slider {
         /// The axis, components the same on both sides.
         axis: [Value; 3],
     },
-    /// A turn about an axis that shifts along it; coordinate: the angle in rad.
+    /// Helical: rotation about an axis with a translation along it; coordinate: the angle in rad.
     Screw {
         /// The axis, components the same on both sides.
         axis: [Value; 3],
-        /// Shift in m for a turn by one rad.
+        /// Translation in m for a rotation by one rad.
         pitch: Value,
     },
-    /// A shift along and a turn about the same axis; coordinates: the way in m, the angle in rad.
+    /// Translation along and rotation about the same axis; coordinates: the displacement in m, the
+    /// angle in rad.
     Cylindrical {
         /// The axis, components the same on both sides.
         axis: [Value; 3],
     },
-    /// A turn about an axis fixed on the inboard side, then one about an axis fixed on the outboard
+    /// Rotation about an axis fixed on the inboard side, then about an axis fixed on the outboard
     /// side; coordinates: both angles in rad.
     Universal {
         /// The axis fixed on the inboard side, and the one fixed on the outboard side.
         axes: [[Value; 3]; 2],
     },
-    /// All turns; coordinates: the unit quaternion (w, x, y, z) that turns outboard into inboard
-    /// components; rates: angular velocity of the outboard side against the inboard one in
-    /// rad/s, outboard frame.
+    /// Spherical: all rotations; coordinates: the unit quaternion (w, x, y, z) that rotates
+    /// outboard into inboard components; rates: angular velocity of the outboard side relative to
+    /// the inboard side in rad/s, outboard frame.
     Ball,
-    /// Shifts in a plane and a turn about its normal; coordinates: the ways in m along the two
-    /// inboard axes that follow the normal, and the angle in rad.
+    /// Translations in a plane and a rotation about its normal; coordinates: the displacements in m
+    /// along the two inboard axes that follow the normal, and the angle in rad.
     Planar {
         /// Which axis the normal is.
         normal: usize,
     },
-    /// Everything. Coordinates: the outboard origin in m, inboard axes, then a quaternion as for
-    /// a ball; rates: its velocity in m/s, inboard axes, then the angular velocity as for a ball.
+    /// Free: six degrees of freedom. Coordinates: the outboard origin in m, inboard axes, then a
+    /// quaternion as for a ball; rates: its velocity in m/s, inboard axes, then the angular
+    /// velocity as for a ball.
     Floating,
-    /// Everything, held by springs [P, Sect. A.1]. Coordinates: the outboard origin in m along the
-    /// axes of the intermediate frame, then the angles θ₁, θ₂, θ_r in rad; rates as for `Floating`.
+    /// Six degrees of freedom with springs [P, Sect. A.1]. Coordinates: the outboard origin in m
+    /// along the axes of the intermediate frame, then the angles θ₁, θ₂, θ_r in rad; rates as for
+    /// `Floating`.
     Elastic,
-    /// Everything in the plane, held by springs [P, Sect. A.1]. Coordinates: the outboard origin in
-    /// m along the two turned axes, and the angle in rad; rates: its velocity in m/s along the
-    /// inboard axes, and the angular velocity.
+    /// Three degrees of freedom in a plane with springs [P, Sect. A.1]. Coordinates: the outboard
+    /// origin in m along the two rotated axes, and the angle in rad; rates: its velocity in m/s
+    /// along the inboard axes, and the angular velocity.
     PlaneElastic,
 }
 
-/// What moves a hinge.
+/// What drives a hinge.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drive {
     /// Efforts, one for each rate.
     Efforts(Vec<Effort>),
-    /// Its coordinates, their rates and accelerations are given by the caller at every step; they
-    /// are no part of the state.
+    /// A prescribed motion: the caller gives coordinates, rates and accelerations at every step;
+    /// they are not part of the state.
     Prescribed,
 }
 
@@ -111,15 +115,15 @@ pub enum Drive {
 pub enum Effort {
     /// None.
     Free,
-    /// The same always, in N m (turns) or N (shifts).
+    /// Constant, in N m (rotations) or N (translations).
     Constant(Value),
     /// Given by the caller at every step.
     Input,
 }
 
-/// What acts on a strain: a measure of how far a hinge is from rest. Strains are the coordinates
-/// less their rest values; for a quaternion they are the rotation vector from rest, outboard axes,
-/// and their rates the angular velocity.
+/// The passive forces along a strain, which measures how far a hinge is from rest. Strains are the
+/// coordinates minus their rest values; for a quaternion they are the rotation vector from rest,
+/// outboard axes, and their rates are the angular velocity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passive {
     /// Effort per strain, in N/m or N m/rad.
@@ -134,12 +138,12 @@ pub struct Passive {
     pub limits: Option<Limits>,
 }
 
-/// Dry friction, made smooth: `−f ṡ / √(ṡ² + v²)`.
+/// Smoothed dry friction: `−f ṡ / √(ṡ² + v²)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Friction {
     /// The effort `f` at high speed, in N or N m.
     pub effort: Value,
-    /// The speed `v` that makes it smooth, in m/s or rad/s.
+    /// The speed `v` of the smoothing, in m/s or rad/s.
     pub speed: Value,
 }
 
@@ -157,7 +161,7 @@ pub struct Limits {
 }
 
 impl Passive {
-    /// Nothing acts.
+    /// Returns no passive forces.
     pub fn none() -> Self {
         let zero = || Value::number(0.0);
         Passive {
@@ -169,7 +173,7 @@ impl Passive {
         }
     }
 
-    /// Whether anything acts but inertia.
+    /// Returns whether there is any force except inertia.
     pub fn has_effort(&self) -> bool {
         !(self.stiffness.is_zero() && self.damping.is_zero())
             || self.friction.is_some()
@@ -177,27 +181,28 @@ impl Passive {
     }
 }
 
-/// The numbers of a kind of hinge.
+/// The coordinates and rates of a kind of hinge.
 #[derive(Debug)]
 pub struct HingeSpec {
-    /// The word for it.
+    /// Its keyword.
     pub word: &'static str,
     /// Its coordinates.
     pub coordinates: &'static [Coordinate],
     /// Names of its rates; as many as it has degrees of freedom.
     pub rates: &'static [&'static str],
-    /// Its degrees of freedom by groups: shifts first, then turns. As many strains as rates each.
+    /// Its degrees of freedom in groups: translations first, then rotations. Each group has as many
+    /// strains as rates.
     pub groups: &'static [DofGroup],
-    /// How its coordinates and rates are handed out, unless it has none.
+    /// The view of its coordinates and rates, unless it has none.
     pub view: Option<StateView>,
 }
 
-/// Degrees of freedom of one sort.
+/// Degrees of freedom of one type.
 #[derive(Debug, PartialEq)]
 pub struct DofGroup {
-    /// Whether they are turns; shifts otherwise.
+    /// Whether they are rotations; translations otherwise.
     pub turns: bool,
-    /// How their coordinates are kept.
+    /// The representation of their coordinates.
     pub representation: Representation,
     /// Which of the hinge's coordinates.
     pub coordinates: Range<usize>,
@@ -205,14 +210,14 @@ pub struct DofGroup {
     pub rates: Range<usize>,
 }
 
-/// How coordinates are kept.
+/// The representation of coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Representation {
-    /// As numbers, each a strain.
+    /// Scalars, each of them a strain.
     Numbers,
-    /// As a unit quaternion.
+    /// A unit quaternion.
     Quaternion,
-    /// As the angles of three turns: roll, pitch, yaw. The rates are an angular velocity.
+    /// The angles roll, pitch, yaw. The rates are an angular velocity.
     Angles,
 }
 
@@ -225,17 +230,17 @@ pub struct Coordinate {
     pub rest: f64,
 }
 
-/// A type of the runtime that shows coordinates and rates. A second one with `Mut` behind its name
-/// lets them be changed.
+/// A type of the runtime that shows coordinates and rates. A second one, with the suffix `Mut`,
+/// changes them.
 #[derive(Debug)]
 pub struct StateView {
     /// Its name.
     pub name: &'static str,
-    /// The arguments that it is made from: one number each, or an array.
+    /// The arguments of its constructor: each a number or an array.
     pub groups: &'static [ViewArgument],
 }
 
-/// Numbers that a view takes together.
+/// An argument of the constructor of a view.
 #[derive(Debug)]
 pub enum ViewArgument {
     /// Some of the coordinates.
@@ -245,7 +250,7 @@ pub enum ViewArgument {
 }
 
 impl HingeKind {
-    /// The axes that it is described by.
+    /// Returns its axes.
     pub fn axes(&self) -> &[[Value; 3]] {
         match self {
             HingeKind::Pin { axis }
@@ -262,7 +267,7 @@ impl HingeKind {
         }
     }
 
-    /// All numbers that it is described by.
+    /// Returns all values of its description.
     pub fn values(&self) -> Vec<&Value> {
         let axes = self.axes().iter().flatten();
         match self {
@@ -280,7 +285,7 @@ impl HingeKind {
         }
     }
 
-    /// The numbers of this kind.
+    /// Returns the coordinates and rates of this kind.
     pub fn spec(&self) -> &'static HingeSpec {
         match self {
             HingeKind::Weld => &weld::SHAPE,
@@ -297,12 +302,12 @@ impl HingeKind {
         }
     }
 
-    /// How many coordinates it has.
+    /// Returns the number of coordinates.
     pub fn coordinates(&self) -> usize {
         self.spec().coordinates.len()
     }
 
-    /// How many degrees of freedom it has.
+    /// Returns the number of degrees of freedom.
     pub fn dof_count(&self) -> usize {
         self.spec().rates.len()
     }
@@ -314,7 +319,8 @@ impl HingeKind {
 }
 
 impl Hinge {
-    /// Whether its coordinates are given by the caller, and no part of the state.
+    /// Returns whether its motion is prescribed: the caller gives its coordinates, and they are not
+    /// part of the state.
     pub fn is_prescribed(&self) -> bool {
         self.drive == Drive::Prescribed
     }
@@ -330,7 +336,7 @@ const fn one(name: &'static str) -> Coordinate {
     Coordinate { name, rest: 1.0 }
 }
 
-/// Shifts, each a number: the first coordinates and rates of a hinge.
+/// Translations: the first coordinates and rates of a hinge.
 const fn shifts(count: usize) -> DofGroup {
     DofGroup {
         turns: false,
@@ -340,7 +346,7 @@ const fn shifts(count: usize) -> DofGroup {
     }
 }
 
-/// Turns behind as many shifts, each kept as a number.
+/// Rotations after `shifts` translations, each a scalar.
 const fn turns(shifts: usize, count: usize) -> DofGroup {
     let range = shifts..shifts + count;
     DofGroup {
@@ -351,7 +357,7 @@ const fn turns(shifts: usize, count: usize) -> DofGroup {
     }
 }
 
-/// All turns behind as many shifts, kept as a quaternion.
+/// All rotations after `shifts` translations, as a quaternion.
 const fn quaternion(shifts: usize) -> DofGroup {
     let rates = shifts..shifts + 3;
     DofGroup {

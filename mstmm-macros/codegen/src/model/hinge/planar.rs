@@ -1,4 +1,4 @@
-//! Planar: two ways in m and an angle in rad.
+//! Planar: two displacements in m and an angle in rad.
 
 use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
 

@@ -1,4 +1,4 @@
-//! Slider: a way in m.
+//! Slider: a displacement in m.
 
 use super::{HingeSpec, StateView, ViewArgument, shifts, zero};
 

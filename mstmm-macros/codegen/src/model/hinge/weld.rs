@@ -1,4 +1,4 @@
-//! Weld: nothing.
+//! Weld: no coordinates.
 
 use super::HingeSpec;
 

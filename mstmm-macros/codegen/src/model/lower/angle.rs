@@ -1,4 +1,4 @@
-//! Angles without a unit: they are in radians, and large ones were most likely meant in degrees.
+//! Angles without a unit: they are in radians, and large ones are most likely meant in degrees.
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use crate::syntax::{ExprKind, ExprSyntax};
 const RULE: &str = "ANGLE_WITHOUT_UNIT";
 
 impl Context<'_> {
-    /// Warns of an angle of more than a turn that has no unit, unless it is written with `PI`. A
-    /// parameter that is used as an angle counts with its default, and the warning is on the default.
+    /// Warns about an angle of more than one turn without a unit, unless it is written with `PI`.
+    /// For a parameter the default is checked, and the warning is at the default.
     pub fn warn_of_degrees(&mut self, found: &Measured, expr: &ExprSyntax, expected: &Quantity) {
         if expected.dimension != ANGLE.dimension || found.measure != Measure::Plain {
             return;
@@ -45,7 +45,7 @@ impl Context<'_> {
     }
 }
 
-/// How many turns an angle is, in words.
+/// Describes how many turns an angle is.
 fn turns(angle: f64) -> String {
     match (angle.abs() / TAU).floor() {
         1.0 => "more than one turn".into(),
@@ -53,7 +53,7 @@ fn turns(angle: f64) -> String {
     }
 }
 
-/// A number as one would write it.
+/// Formats a number for a message.
 fn shown(number: f64) -> String {
     if number.abs() < 1e9 { number.to_string() } else { format!("{number:e}") }
 }
@@ -67,13 +67,13 @@ fn parameter<'p, 'a>(
     parameters.iter().find(|parameter| parameter.name == name)
 }
 
-/// What to edit of an angle: the default where it is a parameter, else the angle itself.
+/// Returns the expression to edit: the default of a parameter, or the angle itself.
 fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'e ExprSyntax {
     let default = parameter(without_sign(expr), parameters).and_then(|known| known.written);
     default.unwrap_or(expr)
 }
 
-/// The number behind its signs.
+/// Returns the number without its signs.
 fn without_sign(mut expr: &ExprSyntax) -> &ExprSyntax {
     while let ExprKind::Negated(inner) = &expr.kind {
         expr = inner;

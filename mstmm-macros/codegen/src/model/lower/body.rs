@@ -1,4 +1,4 @@
-//! Types of bodies: what stands in `body Type { … }`.
+//! Types of bodies: `body Type { … }`.
 
 use proc_macro2::Ident;
 
@@ -12,10 +12,10 @@ use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRan
 
 /// The fields of a type of body.
 pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
-/// Its fields in a line chain, where nothing turns.
+/// Its fields in a line chain, which has no rotations.
 const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
 
-/// A type of body as far as it could be read.
+/// A type of body, as far as it is readable.
 pub(crate) struct BodyType<'a> {
     /// The type's name.
     pub name: &'a Ident,
@@ -27,13 +27,13 @@ pub(crate) struct BodyType<'a> {
     pub inertia: Option<Spanned<Inertia>>,
     /// The output frame.
     pub output: Option<Spanned<Frame>>,
-    /// Its points that have a name, in m.
+    /// Its named points, in m.
     pub points: Vec<PointDraft<'a>>,
     block: &'a BlockSyntax,
     space: Dimension,
 }
 
-/// A point that has a name.
+/// A named point.
 pub(crate) struct PointDraft<'a> {
     /// The name.
     pub name: &'a Ident,
@@ -42,7 +42,7 @@ pub(crate) struct PointDraft<'a> {
 }
 
 impl PointDraft<'_> {
-    /// The point; nothing where its position could not be read.
+    /// Returns the point; `None` if its position was not readable.
     pub fn finish(&self) -> Option<NamedPoint> {
         Some(NamedPoint { name: self.name.clone(), position: self.position.clone()? })
     }
@@ -53,7 +53,7 @@ pub(super) fn is_type(block: &BlockSyntax) -> bool {
     block.word == BlockKeyword::Body && !block.after_route
 }
 
-/// Whether a block says what only a type of body has.
+/// Returns whether a block has fields that only a type of body has.
 pub(super) fn describes_type(block: &BlockSyntax) -> bool {
     let of_type = |field: &FieldSyntax| FIELDS.iter().any(|known| field.name == known);
     !block.points.is_empty() || block.fields.iter().any(of_type)
@@ -106,7 +106,8 @@ fn known(space: Dimension) -> &'static [&'static str] {
 }
 
 impl BodyType<'_> {
-    /// In a line chain nothing turns: there is no inertia, and the centre of mass plays no part.
+    /// Sets the defaults of a line chain: it has no rotations, so inertia and centre of mass have
+    /// no effect.
     fn with_line_defaults(mut self, at: SpanRange) -> Self {
         if self.space == Dimension::Line {
             let tensor = [(); 6].map(|()| Value::number(0.0));
@@ -127,7 +128,7 @@ impl BodyType<'_> {
         self.block.fields.iter().find(|field| field.name == name)
     }
 
-    /// Whether something of this name is written as a field, and is none.
+    /// Returns whether a field of this name is written that does not exist.
     pub fn has_unknown_field(&self, name: &Ident) -> bool {
         self.block.fields.iter().any(|field| field.name == *name)
             && !known(self.space).iter().any(|known| name == known)
@@ -150,7 +151,7 @@ impl BodyType<'_> {
     /// Where an entry of the inertia tensor stands.
     pub fn inertia_entry(&self, index: usize) -> Option<SpanRange> {
         match self.field("inertia")?.value.as_ref()? {
-            ValueSyntax::FormSyntax(form) => inertia::entry(form, index),
+            ValueSyntax::Form(form) => inertia::entry(form, index),
             ValueSyntax::Number(expr) | ValueSyntax::About(expr, _) => Some(expr.extent),
             _ => None,
         }

@@ -9,7 +9,7 @@ use crate::model::condition::Requirement;
 use crate::model::{self, Symbol, Value};
 use crate::syntax::{ExprSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
-/// Names, constants and mistakes.
+/// The state of the lowering: names, constants and diagnostics.
 pub(super) struct Context<'a> {
     /// In how many directions the chain moves.
     pub space: model::Dimension,
@@ -19,15 +19,15 @@ pub(super) struct Context<'a> {
     pub later_parameters: Vec<&'a Ident>,
     /// The Rust paths seen so far, in the order of [`Symbol::Constant`].
     pub constants: Vec<TokenStream>,
-    /// The mistakes of all phases.
+    /// The diagnostics of all phases.
     pub diagnostics: &'a mut Diagnostics,
-    /// Whether every item could be read. If not, an unknown name may have been in the lost one.
+    /// Whether every item was readable. If not, an unknown name may be defined in a lost item.
     pub complete: bool,
-    /// What must hold of numbers that are not known.
+    /// Requirements on values that are not known.
     pub requirements: Vec<Requirement>,
     /// Fields that have been read.
     read: Vec<*const FieldSyntax>,
-    /// Fields with a mistake that is reported: several hinges may share one.
+    /// Fields with a reported error: several hinges may share a field.
     faulty: Vec<*const FieldSyntax>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Context<'a> {
 pub(super) struct KnownParameter<'a> {
     /// Its name.
     pub name: &'a Ident,
-    /// What is known of its unit.
+    /// Its dimension, as far as it is known.
     pub measure: Measure,
     /// Its default in SI units, if it is known.
     pub default: Option<f64>,
@@ -43,30 +43,30 @@ pub(super) struct KnownParameter<'a> {
     pub written: Option<&'a ExprSyntax>,
 }
 
-/// What is known of a number's unit.
+/// What a number measures, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
-    /// A literal zero, which fits anything.
+    /// A literal zero, which fits any dimension.
     Zero,
-    /// No unit: in SI units of whatever is expected.
+    /// A number without a unit: it is in the SI unit of the expected quantity.
     Plain,
-    /// A Rust path, which may be anything.
+    /// A Rust constant, which may have any dimension.
     Open,
     /// A dimension.
     Of(PhysicalDimension),
 }
 
-/// Something read, and where it stands.
+/// A value with its span.
 #[derive(Clone, Debug)]
 pub(crate) struct Spanned<T> {
-    /// What was read.
+    /// The value.
     pub value: T,
     /// Where it stands.
     pub at: SpanRange,
 }
 
 impl<'a> Context<'a> {
-    /// Knows nothing yet.
+    /// Creates an empty context.
     pub fn new(space: model::Dimension, complete: bool, diagnostics: &'a mut Diagnostics) -> Self {
         Context {
             space,
@@ -81,14 +81,14 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Reports a mistake that covers `at`, in place of a result.
+    /// Reports an error that covers `at` and returns `None`.
     pub fn refuse<T>(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
         self.diagnostics.error_over(at, message);
         None
     }
 
-    /// `; did you mean …?` where one of these names is close to the word. Where nobody will read it,
-    /// none is looked for: a long chain has many names.
+    /// Returns `; did you mean …?` if one of these names is close to the word. If further errors
+    /// are only counted, the search is skipped: a long chain has many names.
     pub fn hint(&self, word: &Ident, names: impl IntoIterator<Item = impl ToString>) -> String {
         if self.diagnostics.is_full() {
             return String::new();
@@ -97,7 +97,8 @@ impl<'a> Context<'a> {
         did_you_mean(&word.to_string(), names.iter().map(String::as_str))
     }
 
-    /// What the chain is, where that is worth a word: ` of a plane chain`.
+    /// Returns ` of a plane chain` or ` of a line chain` for messages, and nothing for a chain in
+    /// space.
     pub fn of_chain(&self) -> &'static str {
         match self.space {
             model::Dimension::Space => "",
@@ -106,7 +107,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// Reads the value of a field. A mistake in it is reported once, whoever shares the field.
+    /// Reads the value of a field. An error in it is reported once, even if several hinges share
+    /// the field.
     pub fn field<T>(
         &mut self,
         field: &FieldSyntax,
@@ -128,7 +130,7 @@ impl<'a> Context<'a> {
         value.map(|value| Spanned { value, at: written.extent() })
     }
 
-    /// The value of a Rust path; the same path is the same constant.
+    /// Returns the value of a Rust path; equal paths are the same constant.
     pub fn constant(&mut self, path: TokenStream) -> Value {
         let text = path.to_string();
         let known = self.constants.iter().position(|other| other.to_string() == text);

@@ -1,7 +1,7 @@
-//! What a number measures.
+//! Physical dimensions of numbers.
 
-/// Powers of the base units. The angle is carried for the sake of messages only: it fits a plain
-/// number, as in `N*m*s/rad`.
+/// A physical dimension: powers of the base units. The angle is only kept for messages: it fits a
+/// plain number, as in `N*m*s/rad`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct PhysicalDimension {
     /// Power of the metre.
@@ -14,7 +14,7 @@ pub(super) struct PhysicalDimension {
     pub angle: i32,
 }
 
-/// A dimension with the words for it.
+/// A physical quantity: a dimension with its name.
 #[derive(Debug)]
 pub(super) struct Quantity {
     /// With its article.
@@ -32,7 +32,7 @@ const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Q
 
 /// A number without a unit.
 pub(super) const NUMBER: &Quantity = &quantity("a plain number", "", [0, 0, 0, 0]);
-/// A component of a quaternion: a number, but never an angle by a mistake.
+/// A component of a quaternion: a number, but no angle.
 pub(super) const COMPONENT: &Quantity = &quantity("a component of a quaternion", "", [0, 0, 0, 0]);
 pub(super) const ANGLE: &Quantity = &quantity("an angle", "rad", [0, 0, 0, 1]);
 pub(super) const LENGTH: &Quantity = &quantity("a length", "m", [1, 0, 0, 0]);
@@ -51,7 +51,7 @@ pub(super) const TURNING_DAMPING: &Quantity =
     &quantity("a rotational damping", "N*m*s/rad", [2, 1, -1, -1]);
 pub(super) const PITCH: &Quantity = &quantity("a pitch", "m/rad", [1, 0, 0, -1]);
 
-/// All quantities that have a name. A dimension is called by the first line that it matches.
+/// All named quantities. A dimension has the name of the first quantity that it matches.
 const QUANTITIES: &[&Quantity] = &[
     NUMBER,
     ANGLE,
@@ -79,7 +79,7 @@ const QUANTITIES: &[&Quantity] = &[
     &quantity("a momentum", "kg*m/s", [1, 1, -1, 0]),
 ];
 
-/// Quantities whose units are not on everyone's mind.
+/// Quantities whose units messages show, since they are less known.
 const WITH_UNITS: &[&Quantity] = &[STIFFNESS, DAMPING, TURNING_STIFFNESS, TURNING_DAMPING];
 
 impl Quantity {
@@ -95,7 +95,7 @@ impl Quantity {
 impl PhysicalDimension {
     /// Of a product, where the other factor stands in it to this power.
     pub fn times(self, other: PhysicalDimension, power: i32) -> PhysicalDimension {
-        // Powers of powers soon leave all numbers, and are a mistake long before.
+        // Powers of powers overflow quickly, and are an error long before.
         let add = |a: i32, b: i32| a.saturating_add(b.saturating_mul(power));
         PhysicalDimension {
             length: add(self.length, other.length),

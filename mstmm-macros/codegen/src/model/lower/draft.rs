@@ -1,4 +1,4 @@
-//! A chain on its way from what was written to what was meant.
+//! The draft of a chain: the result of the lowering before the checks.
 
 use proc_macro2::Ident;
 
@@ -19,25 +19,25 @@ use crate::model::{
 };
 use crate::syntax::{self, ChainSyntax};
 
-/// A chain as far as it could be read.
+/// A chain, as far as it is readable.
 pub(crate) struct Draft<'a> {
     /// As written.
     pub def: &'a ChainSyntax,
-    /// In how many directions it moves.
+    /// The dimension of the space that it moves in.
     pub space: Dimension,
-    /// What must hold of its numbers that are not known, as they were read.
+    /// Requirements on its values, from reading them.
     pub requirements: Vec<Requirement>,
     /// Settings of the whole chain.
     pub settings: Settings,
-    /// Numbers that may change at run time.
+    /// Parameters: values that may change at run time.
     pub parameters: Vec<Parameter>,
-    /// How many Rust paths there are.
+    /// The number of Rust constants.
     pub constants: usize,
     /// All types of bodies.
     pub types: Vec<BodyType<'a>>,
-    /// All stops of the route.
+    /// All items of the route.
     pub items: Vec<RouteItem<'a>>,
-    /// What is said of the stops, one for each.
+    /// The properties of the items, one for each.
     pub properties: Vec<ItemProperties<'a>>,
     /// All loads.
     pub loads: Vec<LoadDraft<'a>>,
@@ -51,7 +51,7 @@ impl Draft<'_> {
         self.parameters.iter().map(|parameter| parameter.default.known()).collect()
     }
 
-    /// The chain; nothing where a part is missing, which is reported then.
+    /// Returns the chain; `None` if a part is missing, which is reported then.
     pub fn finish(self) -> Option<Chain> {
         let numbers = Numbering::of(&self.items);
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
@@ -92,8 +92,8 @@ impl Draft<'_> {
         })
     }
 
-    /// The hinges that are not on the route, all from the ground to the input of a body: that by
-    /// which a floating chain is free of it, or those that move the moving ends.
+    /// Returns the hinges that are not on the route, all from the ground to the input of a body:
+    /// the floating base, or the prescribed hinges of moving ends.
     fn implied_hinges(&self, numbers: &Numbering) -> Option<IdVec<HingeId, Hinge>> {
         let kind = || of_everything(self.space);
         let implied = |name: &Ident, body: BodyId, motion: HingeProperties| {
@@ -180,7 +180,7 @@ fn hinge(
     Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
 }
 
-/// What stands for a moving end: it has no mass.
+/// Returns the massless body of a moving end.
 fn end_body(name: &Ident) -> Body {
     let zero = || Value::number(0.0);
     Body {

@@ -1,4 +1,4 @@
-//! The fields of one part, whatever they say.
+//! Fields of a block, before their values are read.
 
 use super::context::Context;
 use super::dimension::{INERTIA, LENGTH, MASS, Quantity, STIFFNESS};
@@ -14,8 +14,8 @@ pub(crate) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Takes a field, unless it is not `known` or given twice, which is reported.
-    /// `owner` is whom it speaks of.
+    /// Adds a field, or reports it if it is not `known` or given twice. `owner` is the described
+    /// part, for messages.
     pub(in crate::model::lower) fn add(
         &mut self,
         field: &'a FieldSyntax,
@@ -29,12 +29,12 @@ impl<'a> Fields<'a> {
             return Some(());
         };
         self.refuse();
-        // One without a value is reported already: it may be no field at all.
+        // A field without a value is reported already: it may be no field.
         field.value.as_ref()?;
         context.refuse(&field.name, message)
     }
 
-    /// What is wrong with a field.
+    /// Returns the error in a field, if there is one.
     fn fault(&self, field: &FieldSyntax, known: &[&str], owner: &str) -> Option<String> {
         let name = field.name.to_string();
         if !known.contains(&name.as_str()) {
@@ -51,7 +51,7 @@ impl<'a> Fields<'a> {
         self.get(&name).map(|_| format!("`{name}` of {owner} is given twice"))
     }
 
-    /// Notes that a field could not be taken, so that none is missed on its account.
+    /// Notes that a field was refused, so that no field is reported as missing.
     pub fn refuse(&mut self) {
         self.refused = true;
     }
@@ -67,7 +67,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// What fields are called elsewhere, or of what moves otherwise.
+/// Fields that other programs, or other kinds of hinges, have under another name.
 const COUNTERPARTS: &[(&str, &str)] = &[
     ("force", "torque"),
     ("torque", "force"),
@@ -118,9 +118,9 @@ pub(crate) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
         .or_else(|| nearest(name, known.iter().copied()))
 }
 
-/// Those of `required` that are missing. A field whose name is close counts as given: it is
-/// reported as unknown, and its correction is the cure. So does one by any other name whose value
-/// could be that of the missing field. One that could not be read may be any.
+/// Returns those of `required` that are missing. A field with a similar name counts as given: it is
+/// reported as unknown, and correcting it is enough. So does an unknown field whose value could be
+/// that of the missing field. A field that was not readable may be any.
 pub(super) fn missing<'r>(
     fields: &[FieldSyntax],
     required: &[&'r str],
@@ -149,7 +149,7 @@ pub(super) fn missing<'r>(
     missing
 }
 
-/// Whether a value could be that of a field by its looks.
+/// Returns whether a value could be that of a field, by its form.
 fn fits(value: &ValueSyntax, field: &str) -> bool {
     let measures = |quantity: &Quantity| match value {
         ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) => {
@@ -167,8 +167,7 @@ fn fits(value: &ValueSyntax, field: &str) -> bool {
         "stiffness" => is_number && (is_plain || measures(STIFFNESS)),
         "com" | "output" | "to" => is_place,
         "inertia" => {
-            matches!(value, ValueSyntax::FormSyntax(_) | ValueSyntax::About(..))
-                || measures(INERTIA)
+            matches!(value, ValueSyntax::Form(_) | ValueSyntax::About(..)) || measures(INERTIA)
         }
         "on" => value.word().is_some_and(|word| word != "input"),
         "force" | "torque" => {

@@ -8,19 +8,19 @@ use crate::diag::did_you_mean;
 use crate::model::{About, Dimension, Inertia, Value};
 use crate::syntax::{FormSyntax, SpanRange, ValueSyntax};
 
-/// Reads the parentheses of one way to write a tensor: xx, yy, zz, xy, xz, yz.
+/// Reads one of the forms of a tensor: xx, yy, zz, xy, xz, yz.
 type TensorReader = fn(&mut Context, &FormSyntax, &Quantity) -> Option<[Value; 6]>;
 
-/// The ways to write a tensor.
+/// The forms of a tensor.
 const TENSORS: &[(&str, TensorReader)] = &[("diag", diag), ("tensor", tensor), ("matrix", matrix)];
 
-/// Where in a matrix, row by row, the entries of a tensor stand.
+/// The indices of the entries of a tensor in a matrix, row by row.
 const IN_MATRIX: [usize; 6] = [0, 4, 8, 1, 2, 5];
 
-/// Entries that are as many parts of the largest one apart are the same but for their last digits.
+/// Entries are equal if their difference is less than this, relative to the largest one.
 const ROUNDING: f64 = 1e-9;
 
-/// The points that a tensor can be about.
+/// The reference points of a tensor.
 const POINTS: &[(&str, About)] = &[("input", About::Input), ("com", About::Com)];
 
 fn diag(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Option<[Value; 6]> {
@@ -62,14 +62,14 @@ pub(super) fn entry(form: &FormSyntax, index: usize) -> Option<SpanRange> {
 }
 
 impl Context<'_> {
-    /// An inertia tensor behind `=`.
+    /// Reads an inertia tensor.
     pub fn written_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
         const EXPECTED: &str =
             "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
         if self.space == Dimension::Plane {
             return self.plane_inertia(written);
         }
-        let ValueSyntax::FormSyntax(form) = written else {
+        let ValueSyntax::Form(form) = written else {
             let message = format!("{EXPECTED}, found {}", written.described());
             return self.refuse(written.extent(), message);
         };
@@ -83,7 +83,7 @@ impl Context<'_> {
         Some(Inertia { tensor: tensor?, about: about? })
     }
 
-    /// In a plane only turns about z count.
+    /// Reads the inertia in a plane chain: the moment about z.
     fn plane_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
         let (expr, point) = match written {
             ValueSyntax::Number(expr) => (expr, None),

@@ -1,4 +1,4 @@
-//! What acts on bodies from outside: `load name { … }` and `spring name { … }`.
+//! Loads and springs: `load name { … }` and `spring name { … }`.
 
 use proc_macro2::Ident;
 
@@ -17,7 +17,7 @@ use crate::syntax::{
 
 /// The fields of a load.
 pub(super) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
-/// In a line chain nothing turns.
+/// A line chain has no torques.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 pub(super) const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
 /// The message for a spring between two bodies.
@@ -29,7 +29,7 @@ pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
 pub(super) const AXES: &[(&str, LoadAxes)] =
     &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
 
-/// A load as far as it could be read.
+/// A load, as far as it is readable.
 pub(crate) struct LoadDraft<'a> {
     block: &'a BlockSyntax,
     /// Its name.
@@ -38,7 +38,7 @@ pub(crate) struct LoadDraft<'a> {
     pub body: Option<BodyId>,
     /// Where the force acts.
     pub at: Option<[Value; 3]>,
-    /// The axes in which both are given.
+    /// The axes of force and torque.
     pub axes: Option<LoadAxes>,
     /// The force.
     pub force: Option<Source>,
@@ -46,22 +46,22 @@ pub(crate) struct LoadDraft<'a> {
     pub torque: Option<Source>,
 }
 
-/// A spring to the ground as far as it could be read.
+/// A spring to the ground, as far as it is readable.
 pub(crate) struct SpringDraft<'a> {
     block: &'a BlockSyntax,
     /// Its name.
     pub name: &'a Ident,
-    /// The body that it pulls at.
+    /// The body that it acts on.
     pub body: Option<BodyId>,
-    /// Where it pulls.
+    /// Its point of application.
     pub at: Option<[Value; 3]>,
     /// The point on the ground.
     pub to: Option<[Value; 3]>,
     /// Its stiffness.
     pub stiffness: Option<Spanned<Value>>,
-    /// Its damping; nothing inside where none is given.
+    /// Its damping; `Some(None)` if it is omitted.
     pub damping: Option<Option<Spanned<Value>>>,
-    /// Its length; nothing inside where none is given.
+    /// Its length; `Some(None)` if it is omitted.
     pub length: Option<Option<Spanned<Value>>>,
 }
 
@@ -118,7 +118,7 @@ pub(super) fn loads<'a>(
     (loads, springs)
 }
 
-/// The body that is meant.
+/// Reads the body that a load or a spring acts on.
 fn on(
     written: &ValueSyntax,
     of: BlockKeyword,
@@ -177,7 +177,7 @@ fn on(
     None
 }
 
-/// What something acts on.
+/// The body that a load or a spring acts on.
 struct LoadTarget<'t, 'a> {
     items: &'t [RouteItem<'a>],
     types: &'t [BodyType<'a>],
@@ -193,7 +193,7 @@ impl LoadTarget<'_, '_> {
         self.types.get(types.nth(self.body?.index())??)
     }
 
-    /// The point at which something acts: the centre of mass unless something else is said.
+    /// Reads the point of application, which is the centre of mass if it is omitted.
     fn at(&self, field: Option<&FieldSyntax>, context: &mut Context) -> Option<[Value; 3]> {
         let com = || self.body_type()?.com.as_ref().map(|com| com.value.clone());
         match field {
@@ -209,7 +209,7 @@ impl LoadTarget<'_, '_> {
         }
     }
 
-    /// A point that has a name; nothing inside where it has no position, which is reported.
+    /// Reads a named point; `Some(None)` if it has no position, which is reported.
     fn point(
         &self,
         word: &Ident,
@@ -234,7 +234,7 @@ impl LoadTarget<'_, '_> {
         if context.space == Dimension::Line {
             return context.written_vector(written, LENGTH).map(Some);
         }
-        // It is reported that this is no field.
+        // The unknown field is reported already.
         if body_type.has_unknown_field(word) {
             return Some(None);
         }
@@ -310,7 +310,7 @@ fn spring<'a>(
     }
 }
 
-/// The token and the message if the end of a spring is not a point on the ground.
+/// Returns the span and the message if the end of a spring is not a point on the ground.
 fn not_on_ground(written: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRange, String)> {
     let word = match written {
         ValueSyntax::PlaceOn(body, _) => body,
@@ -343,7 +343,7 @@ impl LoadDraft<'_> {
         on.chain(acting).collect()
     }
 
-    /// The load; nothing where a part is missing, which is reported then.
+    /// Returns the load; `None` if a part is missing, which is reported then.
     pub(super) fn finish(self) -> Option<crate::model::Load> {
         let at = Frame { position: self.at?, ..Frame::identity() };
         Some(crate::model::Load {
@@ -362,13 +362,13 @@ impl SpringDraft<'_> {
     pub fn missing(&self) -> Vec<String> {
         let on = self.block.fields.iter().find(|field| field.name == "on");
         let body = on.is_none_or(|on| on.value.as_ref().is_some_and(|on| on.word().is_some()));
-        // Where `on` is not one body, the other one is there in place of the point.
+        // If `on` is not one body, the second body replaces the point.
         let required = if body { &["on", "to", "stiffness"][..] } else { &["stiffness"] };
         let missing = missing(self.block, required);
         missing.iter().map(|name| format!("`{name}`")).collect()
     }
 
-    /// The spring; nothing where a part is missing, which is reported then.
+    /// Returns the spring; `None` if a part is missing, which is reported then.
     pub(super) fn finish(self) -> Option<crate::model::Spring> {
         let number =
             |given: Option<Spanned<Value>>| given.map_or(Value::number(0.0), |given| given.value);

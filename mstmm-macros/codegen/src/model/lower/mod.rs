@@ -1,7 +1,7 @@
-//! From what was written to what was meant: the one place that knows both.
+//! The lowering from the syntax tree to the model.
 //!
-//! Every step reads as far as it can and reports what it cannot, so that one build shows all
-//! mistakes. What is missing on account of a mistake is an empty [`Option`] in the [`Draft`].
+//! Every step reads as much as possible and reports the rest, so that one build shows all errors. A
+//! part that is missing because of an error is `None` in the [`Draft`].
 
 mod angle;
 mod body;
@@ -17,6 +17,7 @@ mod numbering;
 mod orientation;
 mod parameter;
 mod properties;
+mod quantity;
 mod references;
 mod route;
 mod setting;
@@ -38,8 +39,8 @@ use crate::model::Dimension;
 use crate::syntax::{ChainSyntax, DimensionKeyword, Passthrough};
 use context::Context;
 
-/// What was meant by a description, as far as it could be read; mistakes are reported.
-/// Nothing of a chain of an unknown dimension.
+/// Lowers a description as far as it is readable and reports errors. Returns `None` for a chain of
+/// unknown dimension.
 pub(super) fn draft<'a>(
     def: &'a ChainSyntax,
     diagnostics: &mut Diagnostics,

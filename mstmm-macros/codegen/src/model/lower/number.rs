@@ -1,12 +1,11 @@
-//! Numbers: what they are in SI units, and what they measure.
+//! Numbers: their values in SI units and their dimensions.
 
 use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
-use super::dimension::{
-    ACCELERATION, ANGLE, COMPONENT, LENGTH, PITCH, PhysicalDimension, Quantity, RATE,
-};
-use super::unit::{self, Scale};
+use super::dimension::{ANGLE, COMPONENT, LENGTH, PITCH, PhysicalDimension, Quantity};
+use super::quantity::misread_symbol;
+use super::unit;
 use crate::diag::nearest;
 use crate::model::condition::{Bound, Condition};
 use crate::model::{Symbol, Value};
@@ -14,20 +13,20 @@ use crate::syntax::{
     ExprKind, ExprSyntax, FUNCTIONS, FactorSyntax, SpanRange, TermSyntax, UnitSyntax,
 };
 
-/// A power multiplies a formula with itself, and a power of a power does so again.
+/// The maximum size of a formula: powers of powers multiply it.
 const LARGEST_FORMULA: usize = 1000;
 
 const NOT_FINITE: &str = "this is not a finite number";
 
-/// A number that is read.
+/// A number with its dimension.
 pub(super) struct Measured<'e> {
     /// In SI units.
     pub value: Value,
-    /// What is known of its unit.
+    /// Its dimension, as far as it is known.
     pub measure: Measure,
-    /// The unit that it owes its dimension to, if there is a single one.
+    /// The unit that determines its dimension, if there is exactly one.
     pub unit: Option<&'e UnitSyntax>,
-    /// Where a message about its dimension points.
+    /// The span for messages about its dimension.
     pub at: SpanRange,
 }
 
@@ -42,7 +41,7 @@ impl<'e> Measured<'e> {
 }
 
 impl Context<'_> {
-    /// A number of this kind, in SI units.
+    /// Reads a number of this quantity, in SI units.
     pub fn number(&mut self, expr: &ExprSyntax, expected: &Quantity) -> Option<Value> {
         let measured = match &expr.kind {
             ExprKind::Sum(terms) => self.sum(terms, expr, Some(expected))?,
@@ -53,7 +52,7 @@ impl Context<'_> {
         self.finite(measured.value, expr.extent)
     }
 
-    /// Refuses a number that measures something else.
+    /// Reports a number of another dimension.
     pub fn expect(&mut self, found: &Measured, expected: &Quantity) -> Option<()> {
         match found.measure {
             Measure::Of(dimension) => self.expect_dimension(dimension, found, expected),
@@ -88,7 +87,7 @@ impl Context<'_> {
         )
     }
 
-    /// Refuses what no number stands for, such as a root of a negative one.
+    /// Reports values that are not finite, such as the root of a negative number.
     pub fn finite(&mut self, value: Value, at: SpanRange) -> Option<Value> {
         match value.known() {
             Some(number) if !number.is_finite() => self.refuse(at, NOT_FINITE),
@@ -101,7 +100,7 @@ impl Context<'_> {
         }
     }
 
-    /// Any number.
+    /// Reads any number.
     pub fn measure<'e>(&mut self, expr: &'e ExprSyntax) -> Option<Measured<'e>> {
         match &expr.kind {
             ExprKind::Number(number) => {
@@ -178,7 +177,7 @@ impl Context<'_> {
         expr: &'e ExprSyntax,
         expected: Option<&Quantity>,
     ) -> Option<Measured<'e>> {
-        // All terms are read before giving up, so that all mistakes in them are reported.
+        // All terms are read before returning, so that all errors in them are reported.
         let parts: Vec<_> = terms.iter().map(|term| self.measure(&term.expr)).collect();
         let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         if let Some(expected) = expected {
@@ -191,7 +190,7 @@ impl Context<'_> {
         Some(Measured::new(value, measure, expr))
     }
 
-    /// Where some terms measure what is expected, the others are those to edit.
+    /// Reports the terms of other dimensions, if some terms have the expected one.
     fn expect_terms(&mut self, terms: &[Measured], expected: &Quantity) -> Option<()> {
         let fits = |term: &Measured| match term.measure {
             Measure::Of(dimension) => dimension.fits(expected.dimension),
@@ -205,7 +204,7 @@ impl Context<'_> {
         expected.fold(Some(()), Option::and)
     }
 
-    /// What numbers of one kind measure: of one dimension, and all with a unit or all without.
+    /// Returns the common dimension of several numbers, all of which have a unit or none has.
     pub fn common_measure(&mut self, parts: &[Measured], together: &str) -> Option<Measure> {
         let dimension = parts.iter().find_map(|part| match part.measure {
             Measure::Of(dimension) => Some(dimension),
@@ -296,46 +295,7 @@ impl Context<'_> {
         Some(Measured { value, measure: Measure::Of(dimension), unit: Some(unit), at: unit.extent })
     }
 
-    /// Refuses a second unit on what has one.
-    pub fn expect_no_unit(&mut self, number: &Measured) -> Option<()> {
-        match number.measure {
-            Measure::Of(dimension) if dimension != PhysicalDimension::default() => self.refuse(
-                number.at,
-                format!(
-                    "this expression is {} already: attach the unit to the plain numbers instead",
-                    dimension.name()
-                ),
-            ),
-            _ => Some(()),
-        }
-    }
-
-    /// The scale of a unit and what it measures.
-    pub fn unit(&mut self, unit: &UnitSyntax) -> Option<(Scale, PhysicalDimension)> {
-        let unknown = match (unit::resolve(unit), unit.parentheses) {
-            (Ok(known), None) => return Some(known),
-            (Ok(_), Some(parentheses)) => {
-                let message = format!("write the unit without parentheses: `{}`", unit.text());
-                return self.refuse(parentheses, message);
-            }
-            (Err(unknown), _) => unknown,
-        };
-        let symbol = &unknown.symbol;
-        let is_name = self.parameters.iter().any(|other| other.name == symbol)
-            || self.later_parameters.iter().any(|name| *name == symbol)
-            || symbol == "PI";
-        let hint = unit::hint(symbol);
-        let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);
-        let message = if is_name || (hint.is_empty() && looks_like_constant) {
-            format!("a unit ends a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
-        } else {
-            format!("unknown unit `{symbol}`{hint}")
-        };
-        self.diagnostics.error(unknown.at, message);
-        None
-    }
-
-    /// Refuses a word in front of parentheses that is no function.
+    /// Reports a word before parentheses that is no function.
     pub fn unknown_function<T>(&mut self, function: &Ident) -> Option<T> {
         let hint = match nearest(&function.to_string(), FUNCTIONS.iter().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
@@ -386,7 +346,7 @@ impl Context<'_> {
     }
 }
 
-/// What a product measures whose second factor stands in it to this power.
+/// Returns the dimension of `first · second^power`.
 fn times(first: Measure, second: Measure, power: i32) -> Measure {
     match (first, second) {
         (Measure::Open, _) | (_, Measure::Open) => Measure::Open,
@@ -395,17 +355,4 @@ fn times(first: Measure, second: Measure, power: i32) -> Measure {
         (_, Measure::Of(b)) => Measure::Of(PhysicalDimension::default().times(b, power)),
         _ => Measure::Plain,
     }
-}
-
-/// A symbol that everyone reads but the table means otherwise.
-pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&'static str> {
-    let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
-    let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
-    if is_gram && expected.dimension == ACCELERATION.dimension {
-        return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
-    }
-    if in_hertz && expected.dimension == RATE.dimension {
-        return Some("`Hz` is ambiguous for an angular velocity: write `rev/s` or `rad/s`");
-    }
-    None
 }

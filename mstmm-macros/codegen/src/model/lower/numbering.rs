@@ -1,4 +1,4 @@
-//! Which body and which hinge of the model each stop of the route is.
+//! The ids of the bodies and hinges of the route.
 
 use std::ops::Range;
 
@@ -7,10 +7,10 @@ use super::route::RouteItem;
 use crate::ids::IdRange;
 use crate::model::{BodyId, HingeId};
 
-/// How many bodies, moving ends and hinges stand before each stop, and before the end of the route.
+/// The numbers of bodies, moving ends and hinges before each item, and before the end of the route.
 pub(super) struct Numbering {
     before: Vec<Counts>,
-    /// Which stops are moving ends.
+    /// Whether each item is a moving end.
     moving: Vec<bool>,
     /// How many bodies are on the route.
     on_route: usize,
@@ -53,18 +53,18 @@ impl Numbering {
         BodyId(if self.moving[item] { self.on_route + ends } else { bodies })
     }
 
-    /// The bodies among these stops.
+    /// The bodies among these items.
     pub fn bodies(&self, items: Range<usize>) -> IdRange<BodyId> {
         (self.before[items.start].bodies..self.before[items.end].bodies).into()
     }
 
-    /// The hinges among these stops.
+    /// The hinges among these items.
     pub fn hinges(&self, items: Range<usize>) -> IdRange<HingeId> {
         let hinge = |item: usize| self.implied + self.before[item].hinges;
         (hinge(items.start)..hinge(items.end)).into()
     }
 
-    /// The elements among these stops, as the route counts them.
+    /// The elements among these items, as the route counts them.
     pub fn elements(&self, items: Range<usize>) -> Range<usize> {
         let element = |item: usize| self.before[item].bodies + self.before[item].hinges;
         element(items.start)..element(items.end)

@@ -8,7 +8,7 @@ use crate::model::condition::{Bound, Condition};
 use crate::model::{Dimension, Frame, Value};
 use crate::syntax::{FormSyntax, OrientationSyntax, ValueSyntax};
 
-/// How a frame is turned, in one of the ways to say so.
+/// An orientation in one of its representations.
 pub(super) enum Orientation {
     /// Roll, pitch and yaw: `A = A_z(yaw) A_y(pitch) A_x(roll)`, [P, Eq. (1)].
     Rpy([Value; 3]),
@@ -16,10 +16,10 @@ pub(super) enum Orientation {
     Quaternion([Value; 4]),
 }
 
-/// Reads the parentheses of one way to write an orientation.
+/// Reads one of the forms of an orientation.
 type OrientationReader = fn(&mut Context, &FormSyntax) -> Option<Orientation>;
 
-/// The ways to write an orientation.
+/// The forms of an orientation.
 const ORIENTATIONS: &[(&str, OrientationReader)] = &[("rpy", rpy), ("quaternion", quaternion)];
 const ZERO_QUATERNION: &str = "a quaternion of zeros is no orientation";
 const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
@@ -53,10 +53,10 @@ impl Context<'_> {
         read(self, form)
     }
 
-    /// An orientation behind `=`.
+    /// Reads an orientation after `=`.
     pub fn written_orientation(&mut self, written: &ValueSyntax) -> Option<Orientation> {
         match written {
-            ValueSyntax::FormSyntax(form) => self.orientation(form),
+            ValueSyntax::Form(form) => self.orientation(form),
             other => {
                 let message = format!("{EXPECTED}, found {}", other.described());
                 self.refuse(other.extent(), message)
@@ -64,7 +64,7 @@ impl Context<'_> {
         }
     }
 
-    /// How something is turned in a chain of this dimension.
+    /// Reads an orientation in a chain of this dimension.
     fn turn(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
         match self.space {
             Dimension::Space => self.turned(turn),
@@ -77,28 +77,28 @@ impl Context<'_> {
         }
     }
 
-    /// An orientation behind `turned`.
+    /// Reads an orientation in space after `turned`.
     pub fn turned(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
         match turn {
-            OrientationSyntax::FormSyntax(form) => self.orientation(form),
+            OrientationSyntax::Form(form) => self.orientation(form),
             OrientationSyntax::Angle(angle) => {
                 self.refuse(angle.extent, format!("{EXPECTED}, found a number"))
             }
         }
     }
 
-    /// The angle of a turn about an axis that is known.
+    /// Reads the angle of a rotation about a known axis.
     pub fn angle(&mut self, turn: &OrientationSyntax) -> Option<Value> {
         match turn {
             OrientationSyntax::Angle(angle) => self.number(angle, ANGLE),
-            OrientationSyntax::FormSyntax(form) => {
+            OrientationSyntax::Form(form) => {
                 let message = format!("expected an angle, found `{}(…)`", form.word);
                 self.refuse(form.extent(), message)
             }
         }
     }
 
-    /// A frame behind `=`: its position, and how it is turned if it is.
+    /// Reads a frame after `=`: its position and, if written, its orientation.
     pub fn written_frame(&mut self, written: &ValueSyntax) -> Option<Frame> {
         match written {
             ValueSyntax::Turned(position, turn) => self.frame(Some(position), Some(turn)),
@@ -106,7 +106,7 @@ impl Context<'_> {
         }
     }
 
-    /// A frame from its position and its orientation, both of which may be left away.
+    /// Reads a frame from its position and its orientation, both of which may be omitted.
     pub fn frame(
         &mut self,
         position: Option<&ValueSyntax>,
@@ -126,7 +126,7 @@ impl Context<'_> {
 }
 
 impl Orientation {
-    /// A turn about z.
+    /// Returns a rotation about z.
     fn about_z(angle: Value) -> Self {
         let zero = || Value::number(0.0);
         Orientation::Rpy([zero(), zero(), angle])
@@ -170,7 +170,7 @@ fn rpy_rotation(angles: &[Value; 3]) -> [[Value; 3]; 3] {
     ]
 }
 
-/// The product of the quaternions of the three turns, each through its half angle.
+/// Returns the product of the quaternions of the three rotations.
 fn rpy_quaternion(angles: &[Value; 3]) -> [Value; 4] {
     let half = angles.clone().map(|angle| angle.over(Value::number(2.0)));
     let [sx, sy, sz] = half.clone().map(Value::sin);
@@ -230,7 +230,7 @@ mod tests {
         rows.map(|row| row.map(|entry| entry.known().unwrap_or(f64::NAN)))
     }
 
-    /// Rodrigues' way from a quaternion to a matrix is independent of the products of sines.
+    /// The matrix of a quaternion is computed independently of the products of sines.
     #[test]
     fn angles_and_their_quaternion_are_the_same_turn() {
         let turned = Orientation::Rpy([0.3, -1.1, 2.5].map(Value::number));

@@ -1,10 +1,10 @@
-//! Numbers that may change at run time.
+//! Parameters: values that may change at run time.
 
 use super::context::{Context, KnownParameter, Measure};
 use crate::model::{Parameter, Symbol, Value};
 use crate::syntax::{ChainSyntax, FieldSyntax, ParameterSyntax, ValueSyntax};
 
-/// All parameters. From here on they may be used.
+/// Reads all parameters. After this they may be used.
 pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) -> Vec<Parameter> {
     context.later_parameters = def.parameters.iter().map(|def| &def.field.name).collect();
     let read: Vec<_> =
@@ -17,8 +17,8 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
             Some(ValueSyntax::Number(expr)) if read.is_some() => Some(expr),
             _ => None,
         };
-        // One with a mistake is known all the same, fits anything and has no value to judge: that
-        // of itself.
+        // A parameter with an error is known, fits any dimension and has no known value: its
+        // default is the parameter itself.
         let itself = Value::Symbol(Symbol::Parameter(index));
         let (default, measure) = read.unwrap_or((itself, Measure::Open));
         let unit = match measure {
@@ -37,7 +37,7 @@ fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measu
         ValueSyntax::Number(expr) => {
             let measured = context.measure(expr)?;
             let value = context.finite(measured.value, expr.extent)?;
-            // A default of zero says nothing of what else it may be.
+            // A default of zero does not determine the dimension.
             let measure = match measured.measure {
                 Measure::Zero => Measure::Plain,
                 measure => measure,

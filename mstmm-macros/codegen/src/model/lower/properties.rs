@@ -1,4 +1,4 @@
-//! What is said behind the route of the hinges and bodies on it.
+//! Properties of hinges and bodies from the blocks after the route.
 
 use proc_macro2::Ident;
 
@@ -10,16 +10,16 @@ use super::route::RouteItem;
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, RouteSyntax};
 use std::collections::HashMap;
 
-/// What is said of a stop.
+/// The properties of a route item.
 #[derive(Clone, Default)]
 pub(crate) struct ItemProperties<'a> {
     /// As written.
     pub fields: Fields<'a>,
-    /// How it moves: a hinge itself, the first body of a floating chain by the implied hinge.
+    /// The properties of a hinge, or of the implied hinge of the first body of a floating chain.
     pub motion: Option<HingeProperties>,
 }
 
-/// What is said of each stop.
+/// Reads the properties of each item.
 pub(super) fn properties<'a>(
     def: &'a ChainSyntax,
     items: &[RouteItem],
@@ -60,22 +60,22 @@ fn refuse_points(block: &BlockSyntax, context: &mut Context) {
     }
 }
 
-/// Where each name stands first.
+/// Returns the index of the first item with each name.
 fn places(items: &[RouteItem]) -> HashMap<String, usize> {
     let is_end = |item: &RouteItem| matches!(item, RouteItem::Moving { .. });
     let mut names: Vec<_> = items.iter().enumerate().rev().collect();
-    // Of two with one name, which is an error, the one that more can be said of.
+    // Of two items with one name, which is an error, the one that can have a block.
     names.sort_by_key(|(_, item)| !is_end(item));
     let place = |(index, item): (usize, &RouteItem)| Some((item.name()?.to_string(), index));
     names.into_iter().filter_map(place).collect()
 }
 
-/// Whether no end of the chain is held.
+/// Returns whether the chain has a floating base.
 pub(super) fn floats(items: &[RouteItem]) -> bool {
     matches!(items, [RouteItem::Body { .. }, .., RouteItem::Body { .. }] | [RouteItem::Body { .. }])
 }
 
-/// Hands the fields of a block to the stops that it names.
+/// Assigns the fields of a block to the items that it names.
 fn assign<'a>(
     block: &'a BlockSyntax,
     def: &ChainSyntax,
@@ -84,7 +84,7 @@ fn assign<'a>(
     fields: &mut [Fields<'a>],
     context: &mut Context,
 ) {
-    // A field that is wrong for one hinge is not reported for the next one again.
+    // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
     for name in &block.names {
         let place = places.get(&name.to_string()).copied();
@@ -111,7 +111,7 @@ fn assign<'a>(
     }
 }
 
-/// The stop that a block means by a name; nothing where there is none to say something of.
+/// Returns the item of a name in a block; `None` if no item of this name can have a block.
 fn target(
     block: &BlockSyntax,
     name: &Ident,
@@ -141,7 +141,7 @@ fn target(
             context.refuse(name, format!("`{name}` is a body: write `body {name} {{ … }}`"))
         }
         (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(items) => {
-            // Where the route has a mistake, so has this verdict.
+            // If the route has an error, this rule may be wrong.
             if !def.route.as_ref().is_some_and(|route| route.complete) {
                 return None;
             }
@@ -153,7 +153,8 @@ fn target(
     }
 }
 
-/// Whether one of these stops has the name of another stop. It may be meant to have a different name.
+/// Returns whether one of these items has the name of another item. It may be meant to have a
+/// different name.
 pub(super) fn has_duplicates(items: &[RouteItem], these: impl Fn(&RouteItem) -> bool) -> bool {
     let mut names = HashMap::new();
     items.iter().filter_map(|item| Some((item, item.name()?))).any(|(item, name)| {
@@ -176,7 +177,7 @@ fn unknown_name(
         return;
     }
     let Some(RouteSyntax { complete: true, .. }) = def.route else { return };
-    // It may be the name that a hinge on the route lacks.
+    // It may be the missing name of a hinge.
     let nameless = |item: &RouteItem| {
         matches!(item, RouteItem::Hinge { name: None, .. } | RouteItem::Unknown { name: None, .. })
     };

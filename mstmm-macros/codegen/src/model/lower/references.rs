@@ -1,10 +1,10 @@
-//! Where a description names what stands elsewhere in it.
+//! Uses of names in a description, for editors.
 
 use super::body;
 use super::route::RouteItem;
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, References};
 
-/// All names of elements in blocks behind the route, and all names of types of bodies.
+/// Returns all names of elements in blocks after the route, and all names of types of bodies.
 pub(super) fn references(def: &ChainSyntax, items: &[RouteItem]) -> References {
     let is_element = |name: &&proc_macro2::Ident| {
         items.iter().any(|item| match item {

@@ -1,4 +1,4 @@
-//! The route with its words resolved.
+//! The route with its names resolved.
 
 use proc_macro2::{Ident, Span};
 
@@ -11,7 +11,7 @@ use crate::model::{Frame, HingeKind, HingeSpec};
 use crate::syntax::{self, ArgumentsSyntax, ChainSyntax};
 use std::collections::HashSet;
 
-/// A stop of the route as far as it could be read.
+/// An item of the route, as far as it is readable.
 pub(crate) enum RouteItem<'a> {
     /// A frame on the ground.
     Ground {
@@ -20,26 +20,26 @@ pub(crate) enum RouteItem<'a> {
         /// The frame.
         frame: Option<Frame>,
     },
-    /// An end that moves as the caller prescribes.
+    /// A moving end: its motion is prescribed.
     Moving {
         /// The word.
         at: Span,
-        /// Its name, without which a mistake is reported.
+        /// Its name; `None` is reported as an error.
         name: Option<&'a Ident>,
     },
     /// A hinge of a known kind.
     Hinge {
         /// Its kind as written.
         word: &'a Ident,
-        /// Its name, without which a mistake is reported.
+        /// Its name; `None` is reported as an error.
         name: Option<&'a Ident>,
         /// Its kind.
         kind: &'static Kind,
-        /// The numbers of its kind.
+        /// The coordinates and rates of its kind.
         spec: &'static HingeSpec,
-        /// What stands in parentheses behind its kind.
+        /// Its arguments.
         arguments: Option<&'a ArgumentsSyntax>,
-        /// What it lets free.
+        /// The kind of hinge in the model, if it was readable.
         hinge_kind: Option<Spanned<HingeKind>>,
     },
     /// A body.
@@ -50,15 +50,15 @@ pub(crate) enum RouteItem<'a> {
         name: Ident,
         /// Whether the name was written.
         named: bool,
-        /// Index of its type, without which a mistake is reported.
+        /// The index of its type; `None` is reported as an error.
         body_type: Option<usize>,
     },
-    /// Something that is reported already.
+    /// An item with an error that is reported already.
     Unknown {
         /// Its name.
         name: Option<&'a Ident>,
     },
-    /// A stop by the name of one before it, which is reported already.
+    /// An item with the name of an earlier one, which is reported already.
     Duplicate {
         /// The name.
         name: &'a Ident,
@@ -78,7 +78,7 @@ impl RouteItem<'_> {
     }
 }
 
-/// All stops.
+/// Resolves all items.
 pub(super) fn items<'a>(
     def: &'a ChainSyntax,
     types: &[BodyType],
@@ -114,7 +114,7 @@ pub(super) fn items<'a>(
             let item = match again {
                 Some(name) if index < first_end && !after_error => passed_twice(name, context),
                 Some(name) => RouteItem::Duplicate { name },
-                // It is reported that a further route begins here, or that something is wrong before.
+                // The further route, or the error before this item, is reported already.
                 None if (further || *after_error) && !element.is_known(types) => {
                     RouteItem::Unknown { name: element.name }
                 }
@@ -133,7 +133,7 @@ pub(super) fn items<'a>(
     route.items.iter().enumerate().map(&mut resolve).collect()
 }
 
-/// Refuses a stop on the route for the second time.
+/// Reports an item that is on the route twice.
 fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
     let message = format!(
         "`{name}` is on the route already, and a loop can close only at the ground or at a \
@@ -144,7 +144,7 @@ fn passed_twice<'a>(name: &'a Ident, context: &mut Context) -> RouteItem<'a> {
     RouteItem::Duplicate { name }
 }
 
-/// Refuses a place that is written on the route.
+/// Reports a position that is written on the route.
 fn refuse_place(place: Span, item: &RouteItem, context: &mut Context) {
     let message = match item {
         RouteItem::Body { word, .. } => format!(
@@ -164,11 +164,11 @@ struct UnresolvedElement<'a> {
     word: &'a Ident,
     arguments: Option<&'a ArgumentsSyntax>,
     name: Option<&'a Ident>,
-    /// Whether it is the first or the last stop.
+    /// Whether it is the first or the last item.
     at_end: bool,
 }
 
-/// What hinges and ends are called elsewhere.
+/// Names of hinges and ends in other programs.
 const SYNONYMS: &[(&str, &str)] = &[
     ("revolute", "pin"),
     ("rotary", "pin"),
@@ -186,12 +186,12 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("spring", "elastic"),
 ];
 
-/// What the ground is called elsewhere.
+/// Names of the ground in other programs.
 const GROUNDS: &[&str] = &["world", "base", "earth", "inertial", "origin"];
 
 impl<'a> UnresolvedElement<'a> {
-    /// The name of a stop before this one that it is called by: without a kind or a type, or with one
-    /// where a further route begins.
+    /// Returns the name if it is that of an earlier item: without a kind or a type, or with one if
+    /// a further route begins.
     fn again(
         &self,
         known: &HashSet<String>,
@@ -252,14 +252,14 @@ impl<'a> UnresolvedElement<'a> {
         RouteItem::Unknown { name }
     }
 
-    /// What stands in the place of the name, if word and name are swapped.
+    /// Returns what the name is, if keyword and name are swapped.
     fn is_swapped(&self, types: &[BodyType]) -> Option<&'static str> {
         let name = self.name?;
         let kind = KINDS.iter().any(|kind| name == kind.word).then_some("kind");
         kind.or_else(|| types.iter().any(|known| name == known.name).then_some("type"))
     }
 
-    /// Whether an unknown word means a type of body rather than a kind of hinge.
+    /// Returns whether an unknown word probably means a type of body, not a kind of hinge.
     fn is_body(&self, types: &[BodyType]) -> bool {
         let word = self.word.to_string();
         let near_type = || {
@@ -271,7 +271,7 @@ impl<'a> UnresolvedElement<'a> {
             && (self.meant().is_none() || near_type())
     }
 
-    /// The word of the language that an unknown one means.
+    /// Returns the keyword that an unknown word probably means.
     fn meant(&self) -> Option<&'static str> {
         let word = self.word.to_string().to_lowercase();
         if self.at_end && self.name.is_none() && GROUNDS.contains(&&*word) {
@@ -312,7 +312,7 @@ impl<'a> UnresolvedElement<'a> {
 
     fn unknown_type(&self, def: &ChainSyntax, types: &[BodyType], context: &mut Context) {
         let word = self.word;
-        // One that stands in the wrong place or could not be read is reported there.
+        // A block in the wrong place, or that was not readable, is reported already.
         if !def.complete || def.blocks.iter().any(|block| block.names.contains(word)) {
             return;
         }
@@ -322,14 +322,14 @@ impl<'a> UnresolvedElement<'a> {
     }
 }
 
-/// Refuses a kind of hinge that leads out of the plane or off the line.
+/// Reports a kind of hinge that leaves the plane or the line.
 fn no_such_hinge(word: &Ident, context: &mut Context) {
     let chain = context.of_chain().trim_start_matches(" of ");
     let message = format!("{chain} has no `{word}`: its hinges are {}", kinds(context));
     context.diagnostics.error(word.span(), message);
 }
 
-/// The kinds of hinges that the chain can have.
+/// Lists the kinds of hinges that the chain can have.
 fn kinds(context: &Context) -> String {
     let kinds = KINDS.iter().filter(|kind| kind.plain(context.space).is_some());
     listed(&kinds.map(|kind| format!("`{}`", kind.word)).collect::<Vec<_>>())

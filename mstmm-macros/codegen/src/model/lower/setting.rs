@@ -10,7 +10,7 @@ use std::fmt::Display;
 
 pub(super) const METHODS: &[(&str, SolutionMethod)] =
     &[("riccati", SolutionMethod::Riccati), ("transfer", SolutionMethod::Transfer)];
-/// Where it is noted that a result is asked for.
+/// Returns the flag of a result.
 type ResultFlag = fn(&mut Results) -> &mut bool;
 pub(super) const RESULTS: &[(&str, ResultFlag)] = &[
     ("poses", |results| &mut results.poses),
@@ -19,15 +19,15 @@ pub(super) const RESULTS: &[(&str, ResultFlag)] = &[
     ("energies", |results| &mut results.energies),
 ];
 
-/// Settings of the whole chain, as far as they could be read.
+/// Settings of the whole chain, as far as they are readable.
 pub(crate) struct Settings {
     /// Acceleration of free fall.
     pub gravity: Option<Source>,
-    /// How the accelerations are solved for.
+    /// The method that solves for the accelerations.
     pub method: Option<SolutionMethod>,
-    /// What the solution says: everything unless less is asked for.
+    /// The results of the solution: everything unless `results` selects some.
     pub results: Results,
-    /// What is answered besides.
+    /// Further answers.
     pub answers: Vec<Answer>,
 }
 
@@ -43,7 +43,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
                                    = …`"
             );
             context.diagnostics.error(field.name.span(), message);
-            // The number may be used further on.
+            // The number may be used later.
             context.complete = false;
             continue;
         }
@@ -88,14 +88,14 @@ fn answers(context: &mut Context, written: &ValueSyntax) -> Option<Vec<Answer>> 
     chosen(context, written, &Choices { known: &asked, example: "[bias_efforts]" })
 }
 
-/// Words that may be chosen.
+/// Keywords that may be chosen.
 struct Choices<'a, T> {
     known: &'a [(&'a str, T)],
-    /// How several of them are written.
+    /// An example of several keywords.
     example: &'a str,
 }
 
-/// What one word means, or several in brackets, each at most once.
+/// Reads one keyword, or several in brackets, each at most once.
 fn chosen<T: Copy>(
     context: &mut Context,
     written: &ValueSyntax,

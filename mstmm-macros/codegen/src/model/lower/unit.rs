@@ -1,4 +1,4 @@
-//! Units: their symbols, their prefixes and what they measure.
+//! Units: their symbols, prefixes and dimensions.
 
 use std::f64::consts::PI;
 
@@ -7,8 +7,8 @@ use crate::diag::nearest;
 use crate::model::Value;
 use crate::syntax::{UnitFactorSyntax, UnitSyntax};
 
-/// A unit in terms of SI: `above · 10^tens / below`. Parts and powers of ten are kept apart because
-/// then `48 mm` is 48/1000, which rounds once and so to the same number as `0.048`.
+/// The scale of a unit in SI: `above · 10^tens / below`. Numerator, denominator and power of ten are
+/// separate so that `48 mm` is 48/1000, which rounds once and equals `0.048`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     above: f64,
@@ -55,8 +55,7 @@ const SYMBOLS: &[UnitSymbol] = &[
     fixed("t", 1000.0, 1.0, [0, 1, 0, 0]),
 ];
 
-/// Prefixes, the more usual ones first. The sign for micro is no letter that Rust lets pass without a
-/// warning.
+/// Prefixes, common ones first. Rust warns about the sign for micro in identifiers, so it is `u`.
 const PREFIXES: &[(&str, i32)] =
     &[("k", 3), ("m", -3), ("c", -2), ("M", 6), ("u", -6), ("n", -9), ("d", -1)];
 
@@ -80,7 +79,7 @@ impl Scale {
     }
 }
 
-/// The scale and the dimension of a unit, or the part of it that is not known.
+/// Returns the scale and the dimension of a unit, or the factor that is unknown.
 pub(super) fn resolve(unit: &UnitSyntax) -> Result<(Scale, PhysicalDimension), &UnitFactorSyntax> {
     let one = Scale { above: 1.0, below: 1.0, tens: 0 };
     unit.factors.iter().try_fold(
@@ -108,7 +107,7 @@ pub(super) fn is_symbol(symbol: &str) -> bool {
     find(symbol).is_some()
 }
 
-/// Units as they are called, and the symbols of the table.
+/// Names of units and their symbols.
 const NAMES: &[(&str, &str)] = &[
     ("metre", "m"),
     ("meter", "m"),
@@ -134,10 +133,10 @@ const NAMES: &[(&str, &str)] = &[
     ("revolution", "rev"),
 ];
 
-/// Symbols that are written together with others by habit.
+/// Symbols that are often written together without `*`.
 const RUN_TOGETHER: &[&str] = &["N", "kN", "MN", "mN", "J", "W", "Pa"];
 
-/// What an unknown unit was meant to be, as the end of a message.
+/// Returns the end of a message: what an unknown unit probably means.
 pub(super) fn hint(symbol: &str) -> String {
     if symbol.starts_with(['\u{b5}', '\u{3bc}']) {
         return format!("; write `u{}`", symbol.chars().skip(1).collect::<String>());
@@ -157,8 +156,8 @@ pub(super) fn hint(symbol: &str) -> String {
     meant(symbol).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 
-/// The symbol that was meant. Short ones are all close to each other, and say something only where
-/// nothing but their case is wrong.
+/// Returns the symbol that was probably meant. Short symbols are all similar, so they are suggested
+/// only if just the case differs.
 fn meant(symbol: &str) -> Option<String> {
     let word = symbol.to_lowercase();
     let singular = word.strip_suffix('s').unwrap_or(&word);

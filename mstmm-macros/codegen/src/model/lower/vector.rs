@@ -1,8 +1,9 @@
-//! Several numbers of one kind.
+//! Vectors: several numbers of one quantity.
 
 use super::context::{Context, Measure, Spanned};
 use super::dimension::Quantity;
-use super::number::{Measured, misread_symbol};
+use super::number::Measured;
+use super::quantity::misread_symbol;
 use crate::diag::did_you_mean;
 use crate::model::{Source, Value};
 use crate::syntax::{
@@ -10,11 +11,11 @@ use crate::syntax::{
 };
 
 impl Context<'_> {
-    /// A number after `=`.
+    /// Reads a number after `=`.
     pub fn written_number(&mut self, written: &ValueSyntax, expected: &Quantity) -> Option<Value> {
         match written {
             ValueSyntax::Number(expr) => self.number(expr, expected),
-            ValueSyntax::FormSyntax(form) if FORMS.iter().all(|known| form.word != known) => {
+            ValueSyntax::Form(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
             }
             ValueSyntax::Vector(list) => {
@@ -29,8 +30,8 @@ impl Context<'_> {
         }
     }
 
-    /// A vector of the chain's dimension after `=`, a number in a line chain: with zeros where the
-    /// chain does not move.
+    /// Reads a vector of the chain's dimension after `=`, which is a number in a line chain.
+    /// Components outside the dimension are zero.
     pub fn written_vector(
         &mut self,
         written: &ValueSyntax,
@@ -44,7 +45,7 @@ impl Context<'_> {
         Some(vector)
     }
 
-    /// What a turn of the chain's dimension has for its axes, after `=`: a vector in space, a number
+    /// Reads a vector of rotations in the chain's dimension after `=`: a vector in space, a number
     /// in a plane chain.
     pub fn written_turning(
         &mut self,
@@ -59,7 +60,7 @@ impl Context<'_> {
         Some(vector)
     }
 
-    /// So many numbers after `=`: a single one without brackets.
+    /// Reads `count` numbers after `=`; a single one has no brackets.
     pub fn components(
         &mut self,
         written: &ValueSyntax,
@@ -76,7 +77,7 @@ impl Context<'_> {
                     format!("a vector has no orientation: write only `{}`", brackets(count));
                 self.refuse(turn.extent(), message)
             }
-            ValueSyntax::FormSyntax(form) if FORMS.iter().all(|known| form.word != known) => {
+            ValueSyntax::Form(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
             }
             other => {
@@ -90,7 +91,7 @@ impl Context<'_> {
         }
     }
 
-    /// So many numbers after `=`, or a single one that stands for all of them.
+    /// Reads `count` numbers after `=`, or one number for all of them.
     pub fn each(
         &mut self,
         written: &ValueSyntax,
@@ -103,7 +104,7 @@ impl Context<'_> {
         }
     }
 
-    /// So many components.
+    /// Reads `count` components.
     pub fn vector(
         &mut self,
         list: &ListSyntax,
@@ -123,7 +124,7 @@ impl Context<'_> {
         self.numbers(list, expected)
     }
 
-    /// The numbers in the parentheses of a form.
+    /// Reads the numbers in the parentheses of a form.
     pub fn form_numbers<const N: usize>(
         &mut self,
         form: &FormSyntax,
@@ -139,7 +140,7 @@ impl Context<'_> {
     }
 
     fn numbers(&mut self, list: &ListSyntax, expected: &Quantity) -> Option<Vec<Value>> {
-        // All entries are read before giving up, so that all mistakes in them are reported.
+        // All entries are read before returning, so that all errors in them are reported.
         let parts: Vec<_> = list.entries.iter().map(|entry| self.measure(entry)).collect();
         let unit = list.unit.as_ref().map(|unit| (unit, self.unit(unit)));
         let mut parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
@@ -173,7 +174,7 @@ impl Context<'_> {
         values.into_iter().collect()
     }
 
-    /// A vector that may be left away or be `input`.
+    /// Reads a vector that may be omitted or be `input`.
     pub fn source(
         &mut self,
         field: Option<&FieldSyntax>,
@@ -189,7 +190,7 @@ impl Context<'_> {
         )
     }
 
-    /// Whether this is the word `input`. A slip of it is refused.
+    /// Returns whether this is the keyword `input`. A misspelt one is reported.
     pub fn asks_for_input(&mut self, written: &ValueSyntax) -> Option<bool> {
         let Some(word) = written.word() else { return Some(false) };
         let text = word.to_string();
@@ -202,7 +203,7 @@ impl Context<'_> {
         self.refuse(word, format!("unknown word `{word}`{hint}"))
     }
 
-    /// A field that may be left away.
+    /// Reads a field that may be omitted.
     pub fn optional<T>(
         &mut self,
         field: Option<&FieldSyntax>,
@@ -215,8 +216,8 @@ impl Context<'_> {
         }
     }
 
-    /// A field that may be left away. Where it has a mistake, which is reported, it counts as left
-    /// away, so that what stands beside it is judged all the same.
+    /// Reads a field that may be omitted. A field with an error, which is reported, counts as
+    /// omitted, so that the others are still checked.
     pub fn readable<T>(
         &mut self,
         field: Option<&FieldSyntax>,
@@ -227,7 +228,7 @@ impl Context<'_> {
     }
 }
 
-/// The unit of a single number that is one, if everyone reads it otherwise than the table.
+/// Returns the unit of a single number if the unit has another usual meaning.
 fn misread_unit(written: &ValueSyntax, expected: &Quantity) -> Option<(SpanRange, &'static str)> {
     let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) = written else {
         return None;
@@ -235,7 +236,7 @@ fn misread_unit(written: &ValueSyntax, expected: &Quantity) -> Option<(SpanRange
     Some((unit.extent, misread_symbol(unit, expected)?))
 }
 
-/// How a vector of so many components is written.
+/// Returns an example of a vector with `count` components.
 fn brackets(count: usize) -> &'static str {
     match count {
         2 => "[a, b]",

@@ -148,7 +148,7 @@ fn both_ends_can_be_held() {
     );
 }
 
-/// The bodies of moving ends stand behind all others, their hinges in front.
+/// The bodies of moving ends follow all others, their hinges in front.
 #[test]
 fn ends_can_move() {
     let chain = on_route("moving hand -> pin a -> Cube upper -> ball b -> Rod rod;");

@@ -1,4 +1,4 @@
-//! Axes in the parentheses behind a kind of hinge.
+//! Axes in the arguments of hinges.
 
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::NUMBER;
@@ -47,7 +47,7 @@ pub(super) fn axis(written: &ValueSyntax, context: &mut Context) -> Option<[Valu
         };
         return context.refuse(written.extent(), format!("expected an axis: {ways}"));
     };
-    // `0 −` instead of `−`: the sign of a zero has no meaning here.
+    // `0 − x` instead of `−x`: the sign of a zero has no meaning here.
     Some(if sign < 0.0 { unit(index).map(Value::negated) } else { unit(index) })
 }
 

@@ -1,4 +1,4 @@
-//! `ball name`: turns any way.
+//! `ball name`: all rotations.
 
 use super::{ArgumentRule, Kind};
 use crate::model::{Dimension, HingeKind};

@@ -1,4 +1,4 @@
-//! `cylindrical(z) name`: shifts along and turns about the same axis.
+//! `cylindrical(z) name`: translation along and rotation about the same axis.
 
 use super::axis::{axis, unit};
 use super::{ArgumentRule, Kind};

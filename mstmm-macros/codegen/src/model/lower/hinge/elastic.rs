@@ -1,4 +1,4 @@
-//! `elastic name`: lets everything free and holds it by springs.
+//! `elastic name`: all degrees of freedom of the dimension, meant for springs.
 
 use super::axis::unit;
 use super::{ArgumentRule, Kind};

@@ -1,4 +1,4 @@
-//! What can be said of a hinge behind the route, by the groups of its degrees of freedom.
+//! The names of the fields of a hinge, by the groups of its degrees of freedom.
 
 use crate::model::lower::dimension::{
     ANGLE, DAMPING, FORCE, INERTIA, LENGTH, MASS, Quantity, RATE, STIFFNESS, TORQUE,
@@ -10,7 +10,7 @@ use crate::model::{DofGroup, HingeSpec};
 pub(crate) struct FieldNames {
     /// Rates at the start.
     pub start_rate: &'static str,
-    /// What a motor gives.
+    /// The effort of a motor.
     pub effort: &'static str,
     /// See [`crate::model::Passive`].
     pub stiffness: &'static str,
@@ -47,7 +47,7 @@ const SHIFTS: FieldNames = FieldNames {
 /// Of turns.
 const TURNS: FieldNames = FieldNames { start_rate: "start_rate", effort: "torque", ..SHIFTS };
 
-/// Of turns beside shifts.
+/// Of rotations in a hinge that also has translations.
 const TURNS_BESIDE_SHIFTS: FieldNames = FieldNames {
     stiffness: "turning_stiffness",
     damping: "turning_damping",

@@ -1,4 +1,4 @@
-//! `floating name`: lets everything free that the chain's dimension has.
+//! `floating name`: all degrees of freedom of the dimension.
 
 use super::axis::unit;
 use super::{ArgumentRule, Kind};
@@ -11,7 +11,7 @@ pub(super) const KIND: Kind = Kind {
     takes: ArgumentRule::Nothing,
 };
 
-/// The hinge that lets everything free in a chain of this dimension.
+/// Returns the hinge with all degrees of freedom of this dimension.
 pub(crate) fn of_everything(space: Dimension) -> HingeKind {
     match space {
         Dimension::Space => HingeKind::Floating,

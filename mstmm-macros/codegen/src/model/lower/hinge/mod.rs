@@ -1,5 +1,5 @@
-//! Kinds of hinges: a file each, and a line in [`KINDS`]. What is said of them behind the route is
-//! read the same way for all.
+//! Kinds of hinges: one file for each, and a line in [`KINDS`]. The fields of their blocks are read
+//! in the same way for all kinds.
 
 mod axis;
 mod ball;
@@ -32,24 +32,23 @@ pub(crate) struct Kind {
     pub word: &'static str,
     /// With its article, for messages.
     pub name: &'static str,
-    /// What it lets free where nothing stands in parentheses; nothing if a chain of this dimension
-    /// has no such hinge.
+    /// The hinge without arguments; `None` if a chain of this dimension has no such hinge.
     plain: fn(Dimension) -> Option<HingeKind>,
-    /// What stands in parentheses behind the word.
+    /// The arguments after the word.
     takes: ArgumentRule,
 }
 
-/// What stands in parentheses behind a kind of hinge.
+/// The arguments that a kind of hinge has.
 enum ArgumentRule {
-    /// Nothing.
+    /// None.
     Nothing,
-    /// Something, or nothing.
+    /// Optional.
     Something(ArgumentReader),
-    /// Something; an example of how it is written.
+    /// Required; with an example.
     Needed(ArgumentReader, &'static str),
 }
 
-/// Reads what stands in parentheses behind a kind of hinge.
+/// Reads the arguments of a hinge.
 type ArgumentReader = fn(&ArgumentsSyntax, &mut Context) -> Option<HingeKind>;
 
 /// All kinds.
@@ -67,12 +66,13 @@ pub(crate) const KINDS: &[Kind] = &[
 ];
 
 impl Kind {
-    /// Whether a chain of this dimension has such hinges; what they are like there.
+    /// Returns the hinge without arguments, or `None` if a chain of this dimension has no such
+    /// hinge.
     pub(crate) fn plain(&self, space: Dimension) -> Option<HingeKind> {
         (self.plain)(space)
     }
 
-    /// What a hinge of this kind lets free.
+    /// Reads a hinge of this kind.
     pub(super) fn read(
         &self,
         word: &Ident,
@@ -95,7 +95,7 @@ impl Kind {
     }
 }
 
-/// Refuses parentheses behind a kind that needs none.
+/// Reports arguments of a kind that has none.
 fn nothing<T>(
     word: impl std::fmt::Display,
     arguments: &ArgumentsSyntax,

@@ -8,7 +8,7 @@ use crate::model::lower::fields::Fields;
 use crate::model::{DofGroup, Friction, Limits, Passive, Representation, Value};
 use crate::syntax::ValueSyntax;
 
-/// What acts on the strains of a group.
+/// Reads the passive forces along the strains of a group.
 pub(super) fn passive(
     group: &DofGroup,
     names: &FieldNames,
@@ -33,8 +33,8 @@ pub(super) fn passive(
     parts.map(passive).collect()
 }
 
-/// What reads the fields of a group. One that cannot be read, or that is missing beside another one,
-/// is reported, and gets a number that no rule is against, so that the others are judged all the same.
+/// Reads the fields of a group. A field that is not readable, or that another field needs, is
+/// reported and has a valid default, so that the other fields are still checked.
 struct PassiveReader<'r, 'f, 'c> {
     group: &'r DofGroup,
     fields: &'r Fields<'f>,
@@ -42,8 +42,8 @@ struct PassiveReader<'r, 'f, 'c> {
 }
 
 impl PassiveReader<'_, '_, '_> {
-    /// A number for each strain: one that stands for all of them, or several. The strains of a
-    /// quaternion have no axes of their own, so they share one.
+    /// Reads a number for each strain: one for all of them, or several. The strains of a quaternion
+    /// share one.
     fn each(&mut self, name: &str, expected: &Quantity) -> Vec<Value> {
         let count = self.group.rates.len();
         let shared = self.group.representation == Representation::Quaternion;
@@ -76,7 +76,7 @@ impl PassiveReader<'_, '_, '_> {
         let measures = measures(self.group);
         let efforts = self.each(names.friction, measures.effort);
         let speed = self.number(names.friction_speed, measures.rate, 1.0);
-        // Without friction its speed is still judged.
+        // Without friction its speed is still checked.
         let alone = self.gives(&[names.friction_speed]) && !self.gives(&[names.friction]);
         let friction = |effort: Value| {
             let acts = alone || !effort.is_zero();

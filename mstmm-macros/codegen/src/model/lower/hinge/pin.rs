@@ -1,4 +1,4 @@
-//! `pin(z) name`: turns about an axis.
+//! `pin(z) name`: rotation about an axis.
 
 use super::axis::{axis, unit};
 use super::{ArgumentRule, Kind, nothing};

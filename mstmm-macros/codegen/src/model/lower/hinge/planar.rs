@@ -1,4 +1,4 @@
-//! `planar(z) name`: shifts in a plane and turns about its normal.
+//! `planar(z) name`: translations in a plane and a rotation about its normal.
 
 use super::axis::normal;
 use super::{ArgumentRule, Kind, nothing};

@@ -1,5 +1,5 @@
-//! How a hinge starts, where it is at rest, and what moves it: read by the groups of its degrees of
-//! freedom, the same way for all kinds.
+//! Start, rest position and drive of a hinge: read by the groups of its degrees of freedom, in the
+//! same way for all kinds.
 
 use super::field_names::{groups, measures};
 use super::passive::passive;
@@ -9,7 +9,7 @@ use crate::model::lower::orientation::Orientation;
 use crate::model::{DofGroup, Drive, Effort, HingeSpec, Passive, Representation, Value};
 use crate::syntax::{FieldSyntax, OrientationSyntax, ValueSyntax};
 
-/// How a hinge starts and what moves it.
+/// The properties of a hinge: its start, its drive and its passive forces.
 #[derive(Clone, Debug)]
 pub(crate) struct HingeProperties {
     /// Start coordinates.
@@ -18,14 +18,14 @@ pub(crate) struct HingeProperties {
     pub start_rate: Vec<Value>,
     /// The coordinates at rest.
     pub rest: Vec<Value>,
-    /// What moves it.
+    /// What drives it.
     pub drive: Drive,
-    /// What acts on its strains.
+    /// The passive forces along its strains.
     pub passive: Vec<Passive>,
 }
 
 impl HingeProperties {
-    /// That of a hinge of which nothing is said.
+    /// Returns the properties of a hinge without a block.
     pub fn none(spec: &HingeSpec) -> Self {
         let numbers = |count| vec![Value::number(0.0); count];
         let freedoms = spec.rates.len();
@@ -43,7 +43,7 @@ fn zero_position(spec: &HingeSpec) -> Vec<Value> {
     spec.coordinates.iter().map(|coordinate| Value::number(coordinate.rest)).collect()
 }
 
-/// What is said of a hinge.
+/// Reads the properties of a hinge.
 pub(crate) fn motion(
     spec: &'static HingeSpec,
     fields: &Fields,
@@ -95,7 +95,7 @@ fn position(
     }
 }
 
-/// The coordinates of turns that stand behind `turned`.
+/// Reads the coordinates of rotations after `turned`.
 fn turned(group: &DofGroup, turn: &OrientationSyntax, context: &mut Context) -> Option<Vec<Value>> {
     match group.representation {
         Representation::Numbers => context.angle(turn).map(|angle| vec![angle]),
@@ -121,8 +121,8 @@ fn rates(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context) -
     )
 }
 
-/// What moves it: a motor for each group, or a motion that is given. Together they are a mistake
-/// that a rule reports.
+/// Reads the drive: a motor for each group, or a prescribed motion. A rule reports if both are
+/// written.
 fn drive(spec: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Drive {
     let efforts: Vec<_> = groups(spec)
         .flat_map(|(group, names)| efforts(group, fields.get(names.effort), context))

@@ -1,4 +1,4 @@
-//! `screw(z, 5 mm/rev) name`: turns about an axis and shifts along it with the turn.
+//! `screw(z, 5 mm/rev) name`: rotation about an axis with a proportional translation along it.
 
 use super::axis::{axis, is_axis, unit};
 use super::{ArgumentRule, Kind};

@@ -1,4 +1,4 @@
-//! `slider(x) name`: shifts along an axis.
+//! `slider(x) name`: translation along an axis.
 
 use super::axis::{axis, unit};
 use super::{ArgumentRule, Kind, nothing};
@@ -13,7 +13,7 @@ pub(super) const KIND: Kind = Kind {
     takes: ArgumentRule::Something(read),
 };
 
-/// Along z in space as a pin turns about it, otherwise along x.
+/// Along z in space, as a pin rotates about z; otherwise along x.
 fn plain(space: Dimension) -> HingeKind {
     HingeKind::Slider { axis: unit(if space == Dimension::Space { 2 } else { 0 }) }
 }

@@ -1,5 +1,5 @@
-//! `universal(x, y) name`: turns about an axis of the inboard side, then about one of the outboard
-//! side.
+//! `universal(x, y) name`: rotation about an axis of the inboard side, then about an axis of the
+//! outboard side.
 
 use super::axis::{axis, unit};
 use super::{ArgumentRule, Kind};

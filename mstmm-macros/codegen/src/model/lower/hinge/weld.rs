@@ -1,4 +1,4 @@
-//! `weld name`: lets nothing free.
+//! `weld name`: no degrees of freedom.
 
 use super::{ArgumentRule, Kind};
 use crate::model::HingeKind;

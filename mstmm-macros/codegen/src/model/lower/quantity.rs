@@ -1,0 +1,61 @@
+//! Units of numbers: their scale, and messages for units that are wrong.
+
+use super::context::{Context, Measure};
+use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
+use super::number::Measured;
+use super::unit::{self, Scale};
+use crate::syntax::UnitSyntax;
+
+impl Context<'_> {
+    /// Reports a second unit.
+    pub fn expect_no_unit(&mut self, number: &Measured) -> Option<()> {
+        match number.measure {
+            Measure::Of(dimension) if dimension != PhysicalDimension::default() => self.refuse(
+                number.at,
+                format!(
+                    "this expression is {} already: attach the unit to the plain numbers instead",
+                    dimension.name()
+                ),
+            ),
+            _ => Some(()),
+        }
+    }
+
+    /// Returns the scale and the dimension of a unit.
+    pub fn unit(&mut self, unit: &UnitSyntax) -> Option<(Scale, PhysicalDimension)> {
+        let unknown = match (unit::resolve(unit), unit.parentheses) {
+            (Ok(known), None) => return Some(known),
+            (Ok(_), Some(parentheses)) => {
+                let message = format!("write the unit without parentheses: `{}`", unit.text());
+                return self.refuse(parentheses, message);
+            }
+            (Err(unknown), _) => unknown,
+        };
+        let symbol = &unknown.symbol;
+        let is_name = self.parameters.iter().any(|other| other.name == symbol)
+            || self.later_parameters.iter().any(|name| *name == symbol)
+            || symbol == "PI";
+        let hint = unit::hint(symbol);
+        let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);
+        let message = if is_name || (hint.is_empty() && looks_like_constant) {
+            format!("a unit ends a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
+        } else {
+            format!("unknown unit `{symbol}`{hint}")
+        };
+        self.diagnostics.error(unknown.at, message);
+        None
+    }
+}
+
+/// Returns the message for a symbol with another usual meaning.
+pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&'static str> {
+    let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
+    let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
+    if is_gram && expected.dimension == ACCELERATION.dimension {
+        return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
+    }
+    if in_hertz && expected.dimension == RATE.dimension {
+        return Some("`Hz` is ambiguous for an angular velocity: write `rev/s` or `rad/s`");
+    }
+    None
+}
