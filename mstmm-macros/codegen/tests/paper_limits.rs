@@ -229,11 +229,11 @@ fn equation_45_is_rank_deficient() {
         (Case::of_cubes(Hinges::Balls, 3), Case::of_cubes(Hinges::Pins(vec![Vector3::z(); 3]), 3));
     for seed in 0..SEEDS {
         let moving = balls.at_random(seed, SolutionMethod::Riccati);
-        let found = ranks(&balls, &moving, &InputEnd::behind_ball(), &InputEnd::ball());
+        let found = ranks(&balls, &moving, &InputEnd::outboard_of_ball(), &InputEnd::ball());
         assert_eq!(found, (3, 3));
 
         let moving = pins.at_random(seed, SolutionMethod::Riccati);
         let ground = InputEnd::pin(&pins.pin(0, &moving).orientation);
-        assert_eq!(ranks(&pins, &moving, &InputEnd::behind_pin(), &ground), (5, 5));
+        assert_eq!(ranks(&pins, &moving, &InputEnd::outboard_of_pin(), &ground), (5, 5));
     }
 }

@@ -1,5 +1,5 @@
-//! The acceleration hinge moving in space `[P, Appendix A.2]`: it lets everything free, and what
-//! springs in it do is part of the loads on the bodies at its sides.
+//! The acceleration hinge moving in space `[P, Appendix A.2]`: it constrains nothing, and its
+//! springs act as loads on the bodies at its sides.
 
 use nalgebra::{Matrix6, Vector6};
 
@@ -34,7 +34,7 @@ impl<T: Scalar> Blocks<T> {
 
     /// The transfer matrix of the hinge `[P, Eq. (66)]`.
     ///
-    /// Force and moment pass unchanged `[P, Eqs. (55), (56)]`. The accelerations behind the hinge
+    /// Force and moment pass unchanged `[P, Eqs. (55), (56)]`. The accelerations outboard of the hinge
     /// are −û₁⁻¹ û₂ \[m; q\] − û₁⁻¹ û₃ `[P, Eq. (64)]`, since both vanish at the **output of the
     /// body** `[P, Eqs. (57), (58)]`, where there is another acceleration hinge or a free end. û₁ is
     /// never singular for a body with mass and inertia.

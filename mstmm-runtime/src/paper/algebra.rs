@@ -1,5 +1,4 @@
-//! Products and equations of small matrices for any [`Scalar`]; nalgebra's own products ask for
-//! more than its arithmetic.
+//! Products and linear equations of small matrices for any [`Scalar`]; nalgebra's own products require more traits.
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
@@ -7,10 +6,10 @@ use crate::Scalar;
 
 /// A product of matrices, written between its factors.
 pub(super) trait Times<const K: usize, const C: usize, T> {
-    /// What has as many rows as `self` and as many columns as `right`.
+    /// The product, with the rows of `self` and the columns of `right`.
     type Product;
 
-    /// `self` times `right`.
+    /// Returns `self` times `right`.
     fn times(&self, right: &SMatrix<T, K, C>) -> Self::Product;
 }
 
@@ -27,7 +26,7 @@ impl<T: Scalar, const R: usize, const K: usize, const C: usize> Times<K, C, T>
     }
 }
 
-/// An entry of a matrix. There is none outside, and no index that could panic.
+/// Returns an entry of a matrix, or zero outside; no index can panic.
 pub(super) fn entry<T: Scalar, const R: usize, const C: usize>(
     matrix: &SMatrix<T, R, C>,
     at: (usize, usize),
@@ -75,7 +74,7 @@ pub(super) fn block<T: Scalar, const R: usize, const C: usize, const M: usize, c
     SMatrix::from_fn(|i, j| entry(matrix, (row + i, column + j)))
 }
 
-/// The rows and columns of `matrix` that `entries` tells.
+/// Returns the rows and columns of `matrix` whose indices are in `entries`.
 pub(super) fn pick<T: Scalar, const D: usize, const N: usize>(
     matrix: &SMatrix<T, N, N>,
     entries: &[usize; D],

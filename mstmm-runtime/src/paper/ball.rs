@@ -14,8 +14,8 @@ use crate::Scalar;
 ///
 /// Ω̇_O = −u₃₂⁻¹ (u₃₁ r̈_I + u₃₃ m_I + u₃₄ q_I + u₃₅) `[P, Eqs. (29), (30)]`
 ///
-/// The condition of this ball itself, m_I = 0, is not in it: the element before has to bring it, or
-/// the boundary `[P, Eq. (45)]` is left without. Around (26) and (29) the text has "acceleration
+/// The condition of this ball itself, m_I = 0, is not part of it: the inboard element must contain it,
+/// otherwise the boundary `[P, Eq. (45)]` lacks it. Around (26) and (29) the text has "acceleration
 /// hinge" for the ball, and Q̇ for Ω̇.
 pub fn transfer_matrix<T: Scalar>(body: &TransferMatrix<T>) -> TransferMatrix<T> {
     let rows = Rows::of(body);

@@ -6,29 +6,29 @@ use super::TransferMatrix;
 use super::algebra::{Times, block, identity, tilde, with};
 use crate::Scalar;
 
-/// What a body is, in its own frame, whose origin is I.
+/// The properties of a body, in the body frame with the origin I.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T> {
     /// m in kg.
     pub mass: T,
-    /// l_IC, the centre of mass as seen from I, in m.
+    /// l_IC, the centre of mass relative to I, in m.
     pub com: Vector3<T>,
-    /// l_IO, the output as seen from I, in m.
+    /// l_IO, the output relative to I, in m.
     pub output: Vector3<T>,
     /// J_I, the inertia about I, in kg m².
     pub inertia: Matrix3<T>,
 }
 
-/// How a body is turned and turns.
+/// The orientation and the angular velocity of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T> {
-    /// A_I, which turns components in the body's frame into inertial ones.
+    /// A_I, which takes components in the body frame to inertial components.
     pub orientation: Matrix3<T>,
     /// Ω_I in rad/s, inertial frame.
     pub angular_velocity: Vector3<T>,
 }
 
-/// What acts on a body besides the forces at its ends, inertial frame.
+/// The loads on a body in addition to the forces at its ends, inertial frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<T> {
     /// f_C in N, at the centre of mass; weight belongs here.
@@ -43,7 +43,7 @@ impl<T: Scalar> Body<T> {
         input + orientation.times(&self.output)
     }
 
-    /// All that its equations are made of `[P, Eq. (20)]`.
+    /// Returns the coefficients of the equations of the body `[P, Eq. (20)]`.
     pub fn blocks(&self, motion: &Motion<T>, load: &Load<T>) -> Blocks<T> {
         let Motion { orientation: a, angular_velocity: omega } = motion;
         let (r_io, r_ic) = (tilde(&a.times(&self.output)), tilde(&a.times(&self.com)));
@@ -141,11 +141,11 @@ impl<T: Scalar> Blocks<T> {
 /// `[P, Eqs. (27), (60)]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rows<T> {
-    /// u₃₁ to u₃₄: what m_O is of r̈_I, Ω̇_I, m_I and q_I `[P, Eqs. (28), (61)]`.
+    /// u₃₁ to u₃₄: the coefficients of r̈_I, Ω̇_I, m_I and q_I in m_O `[P, Eqs. (28), (61)]`.
     pub moment: [Matrix3<T>; 4],
     /// u₃₅.
     pub moment_constant: Vector3<T>,
-    /// u₄₁ to u₄₄: what q_O is of them `[P, Eq. (62)]`.
+    /// u₄₁ to u₄₄: the same coefficients in q_O `[P, Eq. (62)]`.
     pub force: [Matrix3<T>; 4],
     /// u₄₅.
     pub force_constant: Vector3<T>,

@@ -2,8 +2,8 @@
 //!
 //! # Where the product begins
 //!
-//! The paper's examples begin behind the first hinge, z_{6,O} = U₆U₅U₄U₃U₂ z_{2,I} `[P, Eq. (45)]`,
-//! with the six unknowns of [`InputEnd::behind_ball`] or [`InputEnd::behind_pin`]. That does not
+//! The paper's examples begin outboard of the first hinge, z_{6,O} = U₆U₅U₄U₃U₂ z_{2,I} `[P, Eq. (45)]`,
+//! with the six unknowns of [`InputEnd::outboard_of_ball`] or [`InputEnd::outboard_of_pin`]. That does not
 //! determine them: U₅ has taken in the condition at the end of body 6, and hinge 3's own condition on
 //! body 2, which U₁ would have taken in, is missing. Of the six equations 3 are independent for balls
 //! and 5 for pins. The product that begins with U₁, at the ground, has the unknowns of
@@ -15,7 +15,7 @@ use super::TransferMatrix;
 use super::algebra::{Times, block, identity, solve as least, with, zeros};
 use crate::Scalar;
 
-/// What is known of the input z_{1,I} of a chain: z_{1,I} = `known` + `unknown` x for any K numbers x.
+/// The boundary conditions at the input z_{1,I} of a chain: z_{1,I} = `known` + `unknown` x for any K numbers x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputEnd<T, const D: usize, const K: usize> {
     /// z_{1,I} for x = 0; its last entry is 1.
@@ -25,7 +25,7 @@ pub struct InputEnd<T, const D: usize, const K: usize> {
 }
 
 impl<T: Scalar, const D: usize, const K: usize> InputEnd<T, D, K> {
-    /// The entries of z, counted from 0, that are unknown; the others are zero but for the last.
+    /// The entries of z, counted from 0, that are unknown; the others are zero except the last.
     pub fn entries(unknown: [usize; K]) -> Self {
         let one = T::constant(1.0);
         InputEnd {
@@ -56,25 +56,25 @@ impl<T: Scalar> InputEnd<T, 13, 5> {
 }
 
 impl<T: Scalar> InputEnd<T, 13, 6> {
-    /// The input of a body that nothing holds: r̈ and Ω̇ unknown.
+    /// The input of a free body: r̈ and Ω̇ are unknown.
     pub fn free() -> Self {
         Self::entries([0, 1, 2, 3, 4, 5])
     }
 
-    /// z_{2,I} behind a ball on the ground as the paper has it, Ω̇ and q unknown
+    /// z_{2,I} outboard of a ball on the ground as the paper has it, Ω̇ and q unknown
     /// `[P, Eq. (45)]`. It leaves a chain of balls undetermined.
-    pub fn behind_ball() -> Self {
+    pub fn outboard_of_ball() -> Self {
         Self::entries([3, 4, 5, 9, 10, 11])
     }
 
-    /// z_{2,I} behind a pin about z on the ground as the paper has it, Ω̇_z, m_x, m_y and q unknown
+    /// z_{2,I} outboard of a pin about z on the ground as the paper has it, Ω̇_z, m_x, m_y and q unknown
     /// `[P, Eq. (45)]`. It leaves a chain of pins undetermined.
-    pub fn behind_pin() -> Self {
+    pub fn outboard_of_pin() -> Self {
         Self::entries([5, 6, 7, 9, 10, 11])
     }
 }
 
-/// What is known of the output z_{n,O} of a chain: `conditions` z_{n,O} = 0.
+/// The boundary conditions at the output z_{n,O} of a chain: `conditions` z_{n,O} = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutputEnd<T, const D: usize, const M: usize> {
     /// One row for each condition.
@@ -134,8 +134,8 @@ pub struct States<T, const D: usize, const N: usize> {
 /// Steps (iii) to (v) of `[P, Section 2.4]`: the overall product, the boundary solve
 /// `[P, Eqs. (9) to (11)]` and all state vectors one after the other `[P, Eq. (8)]`.
 ///
-/// There may be more conditions than unknowns: one of a chain of pins says nothing new. The unknowns
-/// are those that leave the least sum of squares, and not finite where they are undetermined and no
+/// There may be more conditions than unknowns; in a chain of pins one condition follows from the others. The unknowns
+/// are those with the least sum of squares of the residuals. They are not finite if they are undetermined, unless
 /// rounding hides it.
 pub fn solve<T: Scalar, const D: usize, const N: usize, const K: usize, const M: usize>(
     elements: &[TransferMatrix<T, D>; N],

@@ -7,13 +7,13 @@ use super::algebra::Times;
 use super::rotation;
 use crate::Scalar;
 
-/// A₁₂ = A₀₁ᵀ A₀₂, which turns components in the outboard frame into inboard ones
+/// A₁₂ = A₀₁ᵀ A₀₂, which takes components in the outboard frame to the inboard frame
 /// `[P, Eq. (53)]`.
 pub fn relative<T: Scalar>(inboard: &Matrix3<T>, outboard: &Matrix3<T>) -> Matrix3<T> {
     inboard.transpose().times(outboard)
 }
 
-/// θ_x, θ_y and θ_r of A₁₂ in rad: the large turn θ_r about the inboard ζ axis, the third of the
+/// θ_x, θ_y and θ_r of A₁₂ in rad: the large rotation θ_r about the inboard ζ axis, the third of the
 /// angles `[P, Eqs. (1), (53)]`, and the two small ones from the intermediate frame on. It is the
 /// paper's suggestion, and θ_y is within ±90°.
 pub fn turns<T: Scalar>(relative: &Matrix3<T>) -> Vector3<T> {
@@ -38,8 +38,7 @@ impl<T: Scalar> Springs<T> {
     /// intermediate frame, that acts on the **inboard** body, its opposite on the outboard one
     /// `[P, Eq. (54)]`.
     ///
-    /// It reads as a moment about the axes of the intermediate frame what in truth acts along the
-    /// three angles. That is exact for θ_y = 0, k_x = k_y and c_x = c_y = 0. Otherwise energy asks for
+    /// The equation treats the efforts along the three angles as a moment about the axes of the intermediate frame. That is exact for θ_y = 0, k_x = k_y and c_x = c_y = 0. Otherwise conservation of energy requires
     /// m_z − (ζ × Δr) · f in place of m_z, and then for (m_x + m_z sin θ_y)/cos θ_y in place of
     /// m_x; the compiler's elastic hinge has these.
     pub fn torque(&self, turns: &Vector3<T>, rates: &Vector3<T>) -> Vector3<T> {

@@ -1,41 +1,42 @@
-//! The paper's matrices as they are printed, to read and to call.
+//! The matrices of the paper as printed, to read and to call.
 //!
 //! `[P]` is Rui, Bestle, Zhang and Zhou, *A new version of transfer matrix method for multibody
-//! systems*, Multibody System Dynamics, 2016. Chains written with `mstmm_chain!` do not use this
-//! module: their equations are arranged otherwise, and it is here to show why, and to compare.
+//! systems*, Multibody System Dynamics, 2016. Chains of `mstmm_chain!` do not use this module, because
+//! their equations have another form; the limits below show why. It serves for comparison.
 //!
-//! | module | holds |
+//! | module | content |
 //! |---|---|
-//! | [`rotation`] | the rotation matrix (1) and what Ω and Ω̇ are to its angles |
+//! | [`rotation`] | the rotation matrix (1), and Ω and Ω̇ as functions of its angles |
 //! | [`state`] | the state vectors (3) to (7) |
 //! | [`body`](mod@body) | a rigid body, (12) to (21) |
 //! | [`ball`] | the ball-and-socket hinge, (22) to (31) |
 //! | [`pin`] | the pin, (32) to (44) |
 //! | [`elastic`] | springs and dampers of an elastic hinge, (53) and (54) |
 //! | [`acceleration_hinge`] | the acceleration hinge, (55) to (66) |
-//! | [`plane`], [`line`](mod@line) | what is left of them in a plane, 7×7, and on a line, 3×3, (47) to (52) |
+//! | [`plane`], [`line`](mod@line) | the same in a plane, 7×7, and on a line, 3×3, (47) to (52) |
 //! | [`chain`] | the overall product and the boundary solve, (8) to (11) |
 //! | [`lagrange`] | the plane pendulum's equations without the method, (46) |
 //!
-//! Where the paper's text has a slip, the right form is here, and the place says what is printed.
-//! Vectors are in the inertial frame, numbers in SI units; the state vector z = \[r̈, Ω̇, m, q, 1\] and
-//! its signs are those of [`StateVector`](crate::StateVector).
+//! If the paper has a misprint, the code has the corrected form and its documentation quotes the misprint. Vectors are
+//! in the inertial frame, values in SI units. This module uses the letters of the paper: in the state vector
+//! z = \[r̈, Ω̇, m, q, 1\], m is the internal moment and q the internal force, with the signs of
+//! [`StateVector`](crate::StateVector).
 //!
 //! # Limits
 //!
 //! The compiler's test `paper_limits` shows them:
 //!
-//! - The hinges' matrices (31), (43), (66) hold if the next hinge is of the same kind or there is
-//!   none, since they take in its condition on the body between.
-//! - The product (10) loses accuracy with the number of bodies, a digit for each; see the table.
+//! - The matrices (31), (43), (66) of hinges hold only if the next hinge is of the same kind or if there is none,
+//!   because they contain its condition on the body between them.
+//! - The product (10) loses about one digit of accuracy per body; see the table.
 //! - (41), hence (43), is singular where ζ₊ · u₃₂ ζ = 0 for the axes ζ of the pin and ζ₊ of the next
-//!   one. For perpendicular neighbours on a body with principal axes along them, as on most robots'
-//!   arms, that is always so; 10⁻⁴ rad short of it four of sixteen digits are lost.
-//! - (45) does not determine its six unknowns: its rank is 3 for balls and 5 for pins. [`chain`] says
-//!   why, and what does.
+//!   one. For perpendicular neighbours on a body with principal axes along them, as on most
+//!   robot arms, it is always singular; 10⁻⁴ rad away from such a pose four of sixteen digits are lost.
+//! - (45) does not determine its six unknowns: its rank is 3 for balls and 5 for pins. [`chain`]
+//!   explains the reason and the remedy.
 //!
-//! Relative errors of r̈ and Ω̇ for n of the paper's cubes in random states, as measured; the
-//! compiler's are those of the worse of its two methods:
+//! Relative errors of r̈ and Ω̇ for n of the paper's cubes in random states, measured; for the
+//! compiler, those of the less accurate of its two methods:
 //!
 //! | n | balls, `f64` | `f32` | parallel pins, `f64` | `f32` | compiler, `f64` | `f32` |
 //! |---|---|---|---|---|---|---|
@@ -47,8 +48,7 @@
 //! | 20 | lost | lost | lost | lost | 6e-15 | 4e-6 |
 //! | 60 | lost | lost | lost | lost | 2e-14 | 1e-5 |
 //!
-//! What cannot be determined comes out infinite or NaN, or large beyond meaning where rounding
-//! hides a zero; nothing panics.
+//! Undetermined values are infinite or NaN, or meaningless large values if rounding hides a zero; nothing panics.
 //!
 //! # A pendulum by hand
 //!

@@ -4,11 +4,11 @@
 //! tan(π/8) it is replaced by (t − 1)/(1 + t), the tangent of an angle less by π/4. An odd
 //! polynomial gives the arctangent on what is left, [−tan(π/8), tan(π/8)]; the angle is that or its
 //! negative, and a multiple of π/4. Numerator, denominator, quotient and that multiple are all kept
-//! together with what rounding took from them, so that little more than the last rounding is seen.
+//! together with their rounding errors, so that the error is little more than that of the last rounding.
 //!
 //! The polynomials were fitted like those of sine and cosine, over |t| ≤ 1.0002 tan(π/8).
 
-/// The functions of one precision. Its constants stand where this is called.
+/// The functions of one precision. The module that calls this macro has its constants.
 macro_rules! implementation {
     ($real:ident, $bits:ident) => {
         /// The angle in rad, within ±π, from the x axis to the point (x, y).
@@ -75,7 +75,7 @@ macro_rules! implementation {
             $real::from_bits(number.to_bits() ^ ($bits::from(negative) << ($bits::BITS - 1)))
         }
 
-        /// The rounded sum and what rounding took from it, exactly, whichever of the two is larger
+        /// The rounded sum and its exact rounding error, whichever of the two is larger
         /// (Knuth).
         #[inline(always)]
         fn two_sum(a: $real, b: $real) -> ($real, $real) {
@@ -84,7 +84,7 @@ macro_rules! implementation {
             (sum, (a - (sum - b_part)) + (b - b_part))
         }
 
-        /// The rounded product and what rounding took from it, exactly (Dekker).
+        /// The rounded product and its exact rounding error (Dekker).
         #[inline(always)]
         fn two_product(a: $real, b: $real) -> ($real, $real) {
             let product = a * b;
@@ -103,7 +103,7 @@ macro_rules! implementation {
     };
 }
 
-/// In double precision.
+/// Double precision.
 pub(crate) mod double {
     /// atan t = t + t³ (A₀ + A₁ t² + …), to 2⁻⁵⁹·⁴ of atan t.
     const ARCTANGENT: [f64; 11] = [
@@ -143,7 +143,7 @@ pub(crate) mod double {
     implementation!(f64, u64);
 }
 
-/// In single precision, computed in single precision alone.
+/// Single precision, computed in single precision only.
 pub(crate) mod single {
     /// atan t = t + t³ (A₀ + A₁ t² + …), to 2⁻³⁰·⁴ of atan t.
     const ARCTANGENT: [f32; 5] =

@@ -1,6 +1,6 @@
-//! One function of many numbers, in blocks that fill vector registers.
+//! Evaluation of a function for many values, in blocks that fill vector registers.
 
-/// How many bytes a vector register holds; zero where there are none.
+/// The size of a vector register in bytes; zero if there are none.
 const REGISTER: usize = if cfg!(target_feature = "avx") {
     32
 } else if cfg!(any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")) {
@@ -9,15 +9,13 @@ const REGISTER: usize = if cfg!(target_feature = "avx") {
     0
 };
 
-/// How many numbers a block has: a loop so long is turned into vector instructions as a whole,
-/// before it is unrolled.
+/// The number of values in a block: a loop of this length becomes vector instructions before it is unrolled.
 const BLOCK: usize = 8;
 
-/// Both results of `one` for all numbers.
+/// Returns both results of `one` for all numbers.
 ///
-/// Numbers that do not fill a block are filled up with zeros, since a vector instruction takes no
-/// longer than that for a single number, where there are vectors. What is computed for a number does
-/// not depend on its place.
+/// The last block is filled up with zeros if the target has vectors, because a vector instruction costs no more than one
+/// for a single number. The result for a number does not depend on its index.
 #[inline(always)]
 pub(super) fn side_by_side<T: Copy + Default, const N: usize>(
     numbers: [T; N],
@@ -33,8 +31,8 @@ pub(super) fn side_by_side<T: Copy + Default, const N: usize>(
     let lanes = REGISTER / size_of::<T>();
     match rest.len() {
         0 => {}
-        // A shorter loop would be unrolled before it becomes vector instructions, and then pairs of it
-        // put together, which are loaded across numbers that were stored just before.
+        // A shorter loop would be unrolled before it becomes vector instructions. The compiler would then combine pairs,
+        // whose loads overlap recent stores.
         2.. if REGISTER == 32 => filled_up::<T, BLOCK>(rest, first_rest, second_rest, one),
         5.. if lanes >= 2 => filled_up::<T, BLOCK>(rest, first_rest, second_rest, one),
         3.. if lanes >= 2 => filled_up::<T, 4>(rest, first_rest, second_rest, one),
@@ -47,7 +45,7 @@ pub(super) fn side_by_side<T: Copy + Default, const N: usize>(
     (first, second)
 }
 
-/// The same for a whole block.
+/// Returns both results for a whole block.
 #[inline(always)]
 fn each<T: Copy + Default, const N: usize>(
     numbers: [T; N],
@@ -60,7 +58,7 @@ fn each<T: Copy + Default, const N: usize>(
     (first, second)
 }
 
-/// The same for numbers that zeros are added to, up to `N`.
+/// Computes both results for up to `N` numbers, filled up with zeros.
 #[inline(always)]
 fn filled_up<T: Copy + Default, const N: usize>(
     numbers: &[T],

@@ -12,9 +12,9 @@
 
 use crate::Scalar;
 
-/// c₀ + c₁ z + c₂ z² + … of z and z², in pairs, which hang on each other half as long as Horner's
-/// terms. Written out: a loop in the loop over angles would keep that from becoming vector
-/// instructions, and so may a closure over the constants.
+/// c₀ + c₁ z + c₂ z² + … of z and z², in pairs, which have half the latency of Horner's
+/// scheme. It is unrolled, because an inner loop, or a closure over the constants, may keep the loop over angles from
+/// becoming vector instructions.
 macro_rules! polynomial {
     ($z:ident, $square:ident: $even:ident) => { T::splat($even) };
     ($z:ident, $square:ident: $even:ident $odd:ident $($rest:ident)*) => {{
@@ -27,8 +27,8 @@ macro_rules! polynomial {
     };
 }
 
-/// The functions of one precision, for a number or for lanes of such. Their constants stand where
-/// this is called.
+/// The functions of one precision, for a number or for lanes of such. The module that
+/// calls this macro has their constants.
 macro_rules! implementation {
     ($real:ident) => {
         use super::Quadrant;
@@ -56,14 +56,14 @@ macro_rules! implementation {
             let magic = T::splat(MAGIC);
             let shifted = angle.mul_add(T::splat(core::$real::consts::FRAC_2_PI), magic);
             let multiple = shifted - magic;
-            let answered = T::splat(MULTIPLE_LIMIT).simd_gt(Scalar::abs(multiple));
+            let in_range = T::splat(MULTIPLE_LIMIT).simd_gt(Scalar::abs(multiple));
             // Exact, for the angle and the product are close.
             let left = multiple.mul_neg_add(T::splat(PI_HALF), angle);
             let (x, excess) = less_rest(left, multiple);
-            ((x, T::select(answered, excess, T::splat($real::NAN))), shifted)
+            ((x, T::select(in_range, excess, T::splat($real::NAN))), shifted)
         }
 
-        /// `from − multiple · part`, rounded, and by how much that is too large, exactly, whichever
+        /// `from − multiple · part`, rounded, and by how much that is too large, whichever
         /// of the two is larger (Knuth's sum, the product being exact).
         #[inline(always)]
         fn less_part<T: Scalar>(from: T, multiple: T, part: T) -> (T, T) {
@@ -90,9 +90,9 @@ macro_rules! implementation {
     };
 }
 
-/// Numbers whose bits say in which quarter of a turn an angle lies.
+/// Numbers whose last bits give the quadrant of an angle.
 pub(crate) trait Quadrant: Scalar {
-    /// Sine and cosine after as many quarter turns as the last two bits of `shifted` say.
+    /// Returns sine and cosine after the number of quarter turns in the last two bits of `shifted`.
     fn turn(sine: Self, cosine: Self, shifted: Self) -> (Self, Self);
 }
 
@@ -118,14 +118,13 @@ macro_rules! quadrant {
 quadrant!(f32, u32);
 quadrant!(f64, u64);
 
-/// In double precision.
+/// Double precision.
 pub(crate) mod double {
-    /// Added to a number below 2⁵¹ it leaves no room for a fraction: the sum is rounded to a whole
-    /// number, which stands in its last bits as two's complement.
+    /// Added to a number below 2⁵¹ it leaves no bits for a fraction: the sum is rounded to an integer, which is in its
+    /// last bits as two's complement.
     const MAGIC: f64 = 6755399441055744.0; // 1.5 · 2⁵²
 
-    /// From this multiple of π/2 on there is no answer: the angle's own last place is a good part of
-    /// a turn.
+    /// From this multiple of π/2 on the result is NaN: the last place of the angle is a large part of a full rotation.
     const MULTIPLE_LIMIT: f64 = 1125899906842624.0; // 2⁵⁰
 
     /// π/2 in two parts of 33 bits and a rest of 53. Up to 2²⁰ times a part is exact. Up to 10⁴ rad
@@ -180,14 +179,13 @@ pub(crate) mod double {
     implementation!(f64);
 }
 
-/// In single precision, computed in single precision alone.
+/// Single precision, computed in single precision only.
 pub(crate) mod single {
-    /// Added to a number below 2²² it leaves no room for a fraction: the sum is rounded to a whole
-    /// number, which stands in its last bits as two's complement.
+    /// Added to a number below 2²² it leaves no bits for a fraction: the sum is rounded to an integer, which is in its
+    /// last bits as two's complement.
     const MAGIC: f32 = 12582912.0; // 1.5 · 2²³
 
-    /// From this multiple of π/2 on there is no answer: the angle's own last place is a good part of
-    /// a turn.
+    /// From this multiple of π/2 on the result is NaN: the last place of the angle is a large part of a full rotation.
     const MULTIPLE_LIMIT: f32 = 2097152.0; // 2²¹
 
     /// π/2 in three parts of 11 bits and a rest of 24. Up to 2¹³ times a part is exact.

@@ -49,9 +49,9 @@ fn boundaries() -> [Boundary; 4] {
     let product = Product::<f64>::new(&Pose::of_pins([[0.0, 0.0, 1.0]; 3], 0));
     let (pins, frame) = (product.elements(), product.first_frame());
     let at_ground = InputEnd::pin(&frame.unwrap_or_else(Matrix3::identity));
-    let of_balls = boundary(&overall(&balls[1..]), &InputEnd::behind_ball(), &free).0;
+    let of_balls = boundary(&overall(&balls[1..]), &InputEnd::outboard_of_ball(), &free).0;
     let of_all_balls = boundary(&overall(&balls), &InputEnd::ball(), &free).0;
-    let of_pins = boundary(&overall(&pins[1..]), &InputEnd::behind_pin(), &free).0;
+    let of_pins = boundary(&overall(&pins[1..]), &InputEnd::outboard_of_pin(), &free).0;
     let of_all_pins = boundary(&overall(&pins), &at_ground, &free).0;
     [
         Boundary::new("balls, (45) as printed", &of_balls, 3),
