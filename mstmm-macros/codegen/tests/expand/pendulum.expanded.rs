@@ -16,20 +16,20 @@
 /// <path d="M109.0 22.0l0.0 28.0m-3.5 -6.1l3.5 6.1l3.5 -6.1" fill="none" stroke="currentColor" stroke-width="1.5"/><text x="122.0" y="40.0" font-style="italic" text-anchor="middle">g</text>
 /// </svg>
 ///
-/// | element | what it is | freedoms |
+/// | element | kind | degrees of freedom |
 /// |---|---|---|
 /// | `joint` | pin(z) | 1 |
 /// | `rod` | body `Rod` |  |
 ///
 /// Mobility 1: 1 degree of freedom.
 ///
-/// Accelerations by `riccati`, 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos); with everything at every connection point 17 operations.
+/// Accelerations by `riccati`: 4 operations (3 mul, 1 add, 0 reciprocal, 1 sin/cos). With all results at every connection point: 17 operations.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct Pendulum<T> {
     changed_by_setters: ::mstmm::generated::Sealed<PendulumParameters<T>, [T; 7]>,
 }
-/// Numbers of [`Pendulum`] that may change at run time.
+/// The parameters of [`Pendulum`], which can change at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumParameters<T> {
@@ -45,7 +45,7 @@ impl<T: ::mstmm::Scalar> PendulumParameters<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// The chain as described, its parameters at their defaults.
+    /// Makes the chain of the description, with default parameters.
     #[inline]
     #[must_use]
     #[allow(clippy::all)]
@@ -56,7 +56,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let (chain_, _) = Self::derive(::mstmm::generated::Sealed::new(parameters_));
         chain_
     }
-    /// The values that may change at run time. Each has a setter.
+    /// Returns the parameters, which can change at run time. Each has a setter.
     #[inline]
     pub fn parameters(&self) -> &PendulumParameters<T> {
         self.changed_by_setters.parameters()
@@ -91,7 +91,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *self = chain_;
         ::core::result::Result::Ok(())
     }
-    /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
+    /// Computes the values derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
     #[allow(unused_doc_comments, unused_variables, unused_mut, clippy::all)]
     fn derive(
         sealed_: ::mstmm::generated::Sealed<PendulumParameters<T>>,
@@ -135,7 +135,9 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for Pendulum<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// The accelerations `v̇` of all hinges, in the order of `v` of the state: the fast path.
+    #[doc(alias("forward dynamics", "aba", "qacc"))]
+    /// Computes the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s²
+    /// (forward dynamics). This is the fastest method.
     ///
     /// 4 operations: 3 mul, 1 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -147,9 +149,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// `Error::Singular` if no inertia is left beyond a
-    /// hinge, `Error::NotFinite` if a number of the state or the
-    /// inputs is not finite. `accelerations` is not touched then.
+    /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+    /// `Error::NotFinite` if the state or the inputs are not finite. `accelerations` is then
+    /// unchanged.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn accelerations_into(
         &self,
@@ -189,7 +191,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         accelerations_.data.0 = [[joint_acc_ang_z_]];
         ::core::result::Result::Ok(())
     }
-    /// Writes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+    /// Computes into `at`: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
     ///
     /// 17 operations: 14 mul, 3 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -204,8 +206,8 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into); `at` is then as
-    /// [`workspace`](Self::workspace) makes it: results of earlier calls are gone.
+    /// Those of [`accelerations_into`](Self::accelerations_into). `at` is then an empty workspace, without
+    /// the results of earlier calls.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     pub fn solve_into(
         &self,
@@ -299,8 +301,9 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         *n7_16_ = joint_wrench_fy_;
         ::core::result::Result::Ok(())
     }
-    /// Kinetic and potential energy in J; the potential of gravity is zero with every centre
-    /// of mass at the inertial origin.
+    /// Returns kinetic and potential energy in J.
+    ///
+    /// The potential energy of gravity is zero if all centres of mass are at the inertial origin.
     ///
     /// 5 operations: 5 mul, 0 add, 0 reciprocal, 1 sin/cos.
     ///
@@ -332,7 +335,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             potential: potential_,
         }
     }
-    /// The time derivatives of the coordinates.
+    /// Computes the time derivatives of the coordinates.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[inline]
     fn coordinate_rates_into_(
@@ -343,7 +346,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let [[joint_rate_]] = state_.v.data.0;
         (*coordinates_).data.0 = [[joint_rate_]];
     }
-    /// The coordinates with quaternions of unit length.
+    /// Returns the coordinates with normalised quaternions.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[inline]
     fn normalized_(&self, state_: &PendulumState<T>) -> [T; 1] {
@@ -351,7 +354,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let coordinates_ = [joint_angle_];
         coordinates_
     }
-    /// The state that the description starts from, at time zero.
+    /// Returns the state at the start of the description, at time zero.
     #[allow(unused_doc_comments, unused_variables, clippy::all)]
     #[must_use]
     pub fn initial_state(&self) -> PendulumState<T> {
@@ -364,11 +367,11 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             t: T::constant(0.0),
         }
     }
-    /// The accelerations `v̇` of all hinges by value; see [`accelerations_into`](Self::accelerations_into).
+    /// Returns the accelerations `v̇` of all hinges; see [`accelerations_into`](Self::accelerations_into).
     ///
     /// # Errors
     ///
-    /// As [`accelerations_into`](Self::accelerations_into).
+    /// Those of [`accelerations_into`](Self::accelerations_into).
     #[inline]
     pub fn accelerations(
         &self,
@@ -439,12 +442,12 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
         self.energy(state_)
     }
 }
-/// Coordinates and rates of [`Pendulum`] at a time.
+/// The state of [`Pendulum`]: coordinates, rates and time.
 ///
-/// The hinges lie one after the other in the order of the route. A body that floats comes
-/// first; a hinge whose motion is prescribed has no place.
+/// The entries of all hinges are in the order of the route. The floating base comes first, if there
+/// is one. Hinges with a prescribed motion have no entries.
 ///
-/// | of | places in `q` | places in `v` |
+/// | hinge | indices in `q` | indices in `v` |
 /// |---|---|---|
 /// | `joint` | 0 | 0 |
 ///
@@ -452,16 +455,18 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumState<T> {
-    /// Coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+    /// The coordinates: angles in rad, lengths in m, unit quaternions as w, x, y, z.
+    #[doc(alias("generalized coordinates", "qpos", "configuration", "nq"))]
     pub q: ::mstmm::nalgebra::SVector<T, 1>,
-    /// Rates in rad/s and m/s.
+    /// The rates in rad/s and m/s.
+    #[doc(alias("generalized velocities", "qvel", "nv"))]
     pub v: ::mstmm::nalgebra::SVector<T, 1>,
-    /// Time in s.
+    /// The time in s.
     pub t: T,
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumState<T> {
-    /// Coordinates and rates of hinge `joint`.
+    /// Returns coordinates and rates of hinge `joint`.
     #[inline]
     #[must_use]
     pub fn joint(&self) -> ::mstmm::PinState<T> {
@@ -469,7 +474,7 @@ impl<T: ::mstmm::Scalar> PendulumState<T> {
         let [[v0_, ..]] = self.v.data.0;
         ::mstmm::PinState::new(q0_, v0_)
     }
-    /// Coordinates and rates of hinge `joint`, to be changed.
+    /// Returns coordinates and rates of hinge `joint`, for writing.
     #[inline]
     pub fn joint_mut(&mut self) -> ::mstmm::PinStateMut<'_, T> {
         let [[q0_, ..]] = &mut self.q.data.0;
@@ -515,11 +520,11 @@ impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
         self.t = time_;
     }
 }
-/// What drives [`Pendulum`] from outside, given at every step.
+/// The inputs of [`Pendulum`]: what acts on it from outside, given at every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumInputs<T> {
-    /// Efforts in N m that drive `joint`, in the order of its rates.
+    /// The efforts of the motor of `joint` in N m, in the order of its rates.
     pub joint: T,
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
@@ -530,14 +535,14 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumInputs<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Inputs that are all zero; prescribed motions rest in the zero position.
+    /// Returns inputs that are all zero; prescribed motions are at rest in the zero position.
     #[inline]
     #[must_use]
     pub fn no_inputs(&self) -> PendulumInputs<T> {
         ::core::default::Default::default()
     }
 }
-/// Results of [`Pendulum::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
+/// The results of [`Pendulum::solve_into`]: accelerations, efforts, energies and, at every connection point, pose, velocity and the state vector `z`.
 #[derive(Clone, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumWorkspace<T> {
@@ -550,24 +555,25 @@ pub struct PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
-    /// Accelerations `v̇` of all hinges, in the order of `v` of the state.
+    /// Returns the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s².
     #[inline]
     pub fn accelerations(&self) -> &::mstmm::nalgebra::SVector<T, 1> {
         &self.accelerations
     }
-    /// Kinetic energy in J.
+    /// Returns the kinetic energy in J.
     #[inline]
     pub fn kinetic_energy(&self) -> T {
         self.kinetic_energy
     }
-    /// Potential energy in J: of gravity, zero with every centre of mass at the inertial
-    /// origin, and of springs.
+    /// Returns the potential energy in J of gravity and springs.
+    ///
+    /// That of gravity is zero if all centres of mass are at the inertial origin.
     #[inline]
     pub fn potential_energy(&self) -> T {
         self.potential_energy
     }
-    /// All connection points in the order of the route: the input of the first element, then the
-    /// output of every element, which is the input of the next one.
+    /// Returns all connection points in the order of the route: the input of the first element, then the
+    /// output of every element, which is the input of the next element.
     #[inline]
     pub fn points(&self) -> [::mstmm::Point<T>; 3] {
         [self.point_(0), self.point_(1), self.point_(2)]
@@ -617,7 +623,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
     }
-    /// Acceleration, effort, input and output of hinge `joint`.
+    /// Returns acceleration, effort, input and output of hinge `joint`.
     #[inline]
     pub fn joint(&self) -> ::mstmm::HingeResult<T, T, ::mstmm::Point<T>> {
         let (input_, output_) = (self.point_(0), self.point_(1));
@@ -638,7 +644,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
             output_,
         )
     }
-    /// Results at body `rod`: input and centre of mass.
+    /// Returns the results at body `rod`: input and centre of mass.
     #[inline]
     pub fn rod(
         &self,
@@ -668,7 +674,7 @@ impl<T: ::mstmm::Scalar> ::core::fmt::Debug for PendulumWorkspace<T> {
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> Pendulum<T> {
-    /// Room for the results of [`solve_into`](Self::solve_into), which mean nothing before.
+    /// Returns an empty workspace for [`solve_into`](Self::solve_into). Its contents are unspecified until then.
     #[must_use]
     #[allow(clippy::all)]
     pub fn workspace(&self) -> PendulumWorkspace<T> {
