@@ -2,8 +2,8 @@
 
 use proc_macro::TokenStream;
 
-/// What `mstmm::mstmm_chain!` stands for: the crate `mstmm` as a single token, by which generated
-/// code calls it whatever its name is where the chain is written, and the description.
+/// Expands `mstmm::mstmm_chain!`. The first token is the path of the crate `mstmm` in generated code, which works under any
+/// name of the crate; the description follows.
 #[proc_macro]
 pub fn mstmm_chain_by(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();

@@ -4,7 +4,7 @@
 use mstmm_codegen::compile::chain_text;
 use std::process::ExitCode;
 
-/// The text of one function of all chains in a file, or of all functions; or what is wrong.
+/// Returns the text of one function or of all functions of all chains in a file, or the errors.
 pub fn show(file: &str, function: Option<&str>) -> Result<String, String> {
     let text = std::fs::read_to_string(file).map_err(|error| format!("{file}: {error}"))?;
     let tokens = text.parse().map_err(|error| format!("{file}: {error}"))?;

@@ -272,7 +272,7 @@ mod tests {
         for number in 0..1000 {
             diagnostics.error(Span::call_site(), number);
         }
-        let errors = diagnostics.finish().expect_err("mistakes");
+        let errors = diagnostics.finish().expect_err("errors");
         let errors: Vec<_> = errors.into_iter().map(|error| error.to_string()).collect();
         assert_eq!(errors.len(), 101);
         assert_eq!(errors[99..], ["99", "… and 900 more errors"]);

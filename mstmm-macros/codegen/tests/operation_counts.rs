@@ -109,6 +109,6 @@ fn points_of_bodies_cost_nothing() {
     assert_eq!(fixed, (accelerations, solution, setup, kept));
     let changing = of("point tip = [reach, 0.2, 0]; point mark = [0, 2 * reach, -reach];");
     assert_eq!((changing.0, changing.1), (accelerations, solution));
-    // Two vectors for the body that stands once, and two for those that are repeated.
+    // Two vectors for the single body, and two for the repeated bodies.
     assert_eq!(changing.3, kept + 12);
 }

@@ -89,7 +89,7 @@ pub fn loop_input(
         | Argument::ClosureSteps
         | Argument::Step
         | Argument::Time
-        | Argument::Slots(None) => bug!("a loop reads what stands once"),
+        | Argument::Slots(None) => bug!("a loop reads an argument outside of repeated parts"),
     }
 }
 

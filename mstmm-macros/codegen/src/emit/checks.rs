@@ -33,7 +33,7 @@ pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
                     quote!(#mstmm::generated::check_finite_slice::<T>(state_.v.as_slice())?;),
                 );
             }
-            _ => bug!("an array is tested before it can be"),
+            _ => bug!("only inputs, coordinates and rates are tested first"),
         }
     }
     if !slices.is_empty() {
@@ -118,7 +118,7 @@ fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
         ArrayRole::Argument(Argument::Time) => quote!(state_.t),
         ArrayRole::Argument(Argument::Coordinates) => quote!(state_.q.data.0[0][#place]),
         ArrayRole::Argument(Argument::Rates) => quote!(state_.v.data.0[0][#place]),
-        _ => bug!("an entry of another array is tested"),
+        _ => bug!("only entries of time, coordinates and rates are tested"),
     }
 }
 

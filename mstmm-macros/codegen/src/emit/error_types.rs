@@ -33,7 +33,7 @@ pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
             if !taken.insert(name.to_string()) {
                 continue;
             }
-            let of_error = format_ident!("{}OfMistakes_", name);
+            let of_error = format_ident!("{}OfErrors_", name);
             types.extend(quote! {
                 #[doc(hidden)]
                 #[allow(dead_code, non_snake_case, non_camel_case_types)]

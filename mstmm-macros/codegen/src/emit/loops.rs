@@ -75,13 +75,15 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
             }
             Step::Compute(_) => {}
             Step::CheckArguments(_) | Step::Loop(_) | Step::CheckResults(_) => {
-                bug!("a loop has a step that stands outside of loops only")
+                bug!("a loop contains a step that is allowed only outside of loops")
             }
         }
     }
     let computed: Vec<Step> =
         loop_.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
-    let sections = printer.steps(&computed, |_| bug!("a loop's sections are printed alone"));
+    let sections = printer.steps(&computed, |_| {
+        bug!("the steps of a loop other than sections are printed separately")
+    });
     let variable = |value| printer.variables.get(value);
     let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
     let phis = loop_.carries.iter().map(|carry| variable(carry.phi));
@@ -100,7 +102,7 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
     }
 }
 
-/// Returns the iterator over values of an earlier loop, which has stored them in the order of its own direction.
+/// Returns the iterator over values of an earlier loop, which has stored them in the order of its direction.
 fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> LoopInput {
     let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
     let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
@@ -111,7 +113,7 @@ fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) ->
     });
     let leaves = |step: &Step| matches!(step, Step::Store { to, .. } if to.array == from.array);
     let Some(earlier) = loops.find(|loop_| loop_.body.iter().any(leaves)) else {
-        bug!("a loop reads what no loop has left")
+        bug!("a loop loads values that no loop has stored")
     };
     let times = if earlier.inward {
         quote!(::core::iter::Iterator::rev(#store.iter()))

@@ -70,7 +70,7 @@ impl Printer<'_> {
             Step::Loop(loop_) => loops::print(self, loop_),
             Step::CheckResults(check) => checks::results(self, check),
             Step::Compute(_) | Step::CheckPivot { .. } => {
-                bug!("statements and tests of a loop are printed with it")
+                bug!("statements and pivot tests are printed with their loop")
             }
         }
     }
@@ -132,7 +132,7 @@ impl Printer<'_> {
         }
         let operand = |value: &Option<Operand>| match value {
             Some(value) => self.operand(value),
-            None => bug!("a result that stands once is missing"),
+            None => bug!("a result outside of repeated parts is missing"),
         };
         let operands: Vec<TokenStream> = values.iter().map(operand).collect();
         match self.destination(to.array) {
