@@ -4,8 +4,7 @@ use proc_macro2::Ident;
 
 use super::context::{Context, Measure};
 use super::dimension::{ANGLE, COMPONENT, LENGTH, PITCH, PhysicalDimension, Quantity};
-use super::quantity::misread_symbol;
-use super::unit;
+use super::unit::{self, misread_symbol};
 use crate::diag::nearest;
 use crate::model::condition::{Bound, Condition};
 use crate::model::{Symbol, Value};

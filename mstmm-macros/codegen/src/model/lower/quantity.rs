@@ -1,7 +1,7 @@
 //! Units of numbers: their scale, and messages for units that are wrong.
 
 use super::context::{Context, Measure};
-use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
+use super::dimension::PhysicalDimension;
 use super::number::Measured;
 use super::unit::{self, Scale};
 use crate::syntax::UnitSyntax;
@@ -45,17 +45,4 @@ impl Context<'_> {
         self.diagnostics.error(unknown.at, message);
         None
     }
-}
-
-/// Returns the message for a symbol with another usual meaning.
-pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&'static str> {
-    let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
-    let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
-    if is_gram && expected.dimension == ACCELERATION.dimension {
-        return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
-    }
-    if in_hertz && expected.dimension == RATE.dimension {
-        return Some("`Hz` is ambiguous for an angular velocity: write `rev/s` or `rad/s`");
-    }
-    None
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::dimension::PhysicalDimension;
+use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
 use crate::diag::nearest;
 use crate::model::Value;
 use crate::syntax::{UnitFactorSyntax, UnitSyntax};
@@ -171,6 +171,19 @@ fn meant(symbol: &str) -> Option<String> {
     let known: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
     let near = nearest(symbol, known.iter().map(String::as_str))?;
     (symbol.len() > 2 || near.to_lowercase() == word).then(|| near.to_owned())
+}
+
+/// Returns the message for a symbol with another usual meaning.
+pub(super) fn misread_symbol(unit: &UnitSyntax, expected: &Quantity) -> Option<&'static str> {
+    let is_gram = matches!(&unit.factors[..], [only] if only.symbol == "g" && only.power == 1);
+    let in_hertz = unit.factors.iter().any(|factor| factor.symbol.ends_with("Hz"));
+    if is_gram && expected.dimension == ACCELERATION.dimension {
+        return Some("`g` is gram; standard gravity is 9.80665 m/s^2");
+    }
+    if in_hertz && expected.dimension == RATE.dimension {
+        return Some("`Hz` is ambiguous for an angular velocity: write `rev/s` or `rad/s`");
+    }
+    None
 }
 
 #[cfg(test)]

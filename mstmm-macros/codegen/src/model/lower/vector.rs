@@ -3,7 +3,7 @@
 use super::context::{Context, Measure, Spanned};
 use super::dimension::Quantity;
 use super::number::Measured;
-use super::quantity::misread_symbol;
+use super::unit::misread_symbol;
 use crate::diag::did_you_mean;
 use crate::model::{Source, Value};
 use crate::syntax::{

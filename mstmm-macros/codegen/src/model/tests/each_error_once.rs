@@ -93,7 +93,7 @@ fn a_parameter_without_a_default_is_not_judged() {
 
 #[test]
 fn a_route_without_a_body_is_one_error() {
-    let message = "the route has no body: add at least one";
+    let message = "the route has no body: …";
     expect_rods("ground;", &[("ground", message)]);
     expect_rods("ground -> pin(z) j;", &[("ground", message)]);
     expect_rods("ground -> pin a -> pin b -> ground;", &[("ground", message)]);

@@ -57,7 +57,7 @@ fn misspelt_items_are_read_as_what_is_meant() {
     );
     expect_rods(
         "ground -> repat 3 { pin j -> Rod rod }; hinge j { start = 1; }",
-        &[("repat", "unknown route item `repat`; did you mean `repeat`?")],
+        &[("repat", "unknown route item `repat`; …")],
     );
     expect_rods(
         "ground -> pin z j -> Rod rod; hinge j { start = 1; }",
