@@ -319,7 +319,7 @@ fn cell(value: f64) -> Markup {
     match value.abs() {
         size if size < 1e6 && value.fract() == 0.0 => typeset(&format!("{}", value + 0.0)),
         0.1..10.0 => typeset(&format!("{value:.3}")),
-        10.0..1e6 => typeset(&format!("{value:.1}")),
+        10.0..1e4 => typeset(&format!("{value:.1}")),
         _ => typeset(&formatted(value)),
     }
 }
