@@ -333,9 +333,9 @@ impl<'a> ChainCompiler<'a> {
         let layout = layouts::of(self.chain, checks.iter().map(|check| (1, check.part)));
         outputs.push(self.output(outputs::CHECKED, layout, &checked));
         let heading = Heading {
-            prefix: "setup".to_owned(),
-            title: "Quantities derived from parameters and constants".to_owned(),
-            source: String::new(),
+            prefix: "setup".into(),
+            title: "Quantities derived from parameters and constants".into(),
+            source: "".into(),
             values: named,
         };
         Function { outputs, headings: vec![heading], ..self.function(Stage::Setup) }
@@ -349,9 +349,9 @@ fn heading(section: &equations::TraceSection<Expr>) -> Heading {
         Expr::Number(_) => None,
     };
     Heading {
-        prefix: section.prefix.clone(),
-        title: section.title.clone(),
-        source: section.source.to_owned(),
+        prefix: section.prefix.as_str().into(),
+        title: section.title.as_str().into(),
+        source: section.source.into(),
         values: section.values.iter().filter_map(formula).collect(),
     }
 }

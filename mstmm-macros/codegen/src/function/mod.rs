@@ -11,6 +11,7 @@ use crate::expr::{Edge, Graph, Stage};
 use crate::ids::{RepeatId, SymbolId};
 use crate::program::{ArrayLayout, OutputId};
 use std::ops::Range;
+use std::rc::Rc;
 
 /// A function to be compiled.
 #[derive(Clone, Debug)]
@@ -35,11 +36,11 @@ pub struct Function<'g> {
 #[derive(Clone, Debug)]
 pub struct Heading {
     /// The prefix of the names of unnamed values under it.
-    pub prefix: String,
+    pub prefix: Rc<str>,
     /// The title: what is computed.
-    pub title: String,
+    pub title: Rc<str>,
     /// The source of the equations.
-    pub source: String,
+    pub source: Rc<str>,
     /// The names, each with its value.
     pub values: Vec<(String, Edge)>,
 }

@@ -188,8 +188,8 @@ impl<'a> Linearizer<'a> {
                 }
             }
         }
-        let (prefix, title) = ("result".to_owned(), "Results".to_owned());
-        self.open(&Heading { prefix, title, source: String::new(), values: Vec::new() });
+        let (prefix, title) = ("result".into(), "Results".into());
+        self.open(&Heading { prefix, title, source: "".into(), values: Vec::new() });
         for node in rest {
             if self.belongs(node, region) && !self.done[node as usize] {
                 self.current = self.section_for(node, region).unwrap_or(headings.len());

@@ -21,6 +21,7 @@ pub use procedure::{
 };
 
 use crate::ids::{IdVec, RepeatId, SymbolId, declare_id};
+use std::rc::Rc;
 
 declare_id! {
     /// A block of a program.
@@ -51,6 +52,16 @@ pub enum Block {
     Once(Vec<Section>),
     /// Sections that run in every repetition of a part.
     Loop(LoopBlock),
+}
+
+impl Block {
+    /// Returns its sections.
+    pub fn sections(&self) -> &[Section] {
+        match self {
+            Block::Once(sections) => sections,
+            Block::Loop(one) => &one.sections,
+        }
+    }
 }
 
 /// A loop over the repetitions of a part.
@@ -91,11 +102,11 @@ pub struct Slot {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
     /// The prefix of the names of unnamed values.
-    pub prefix: String,
+    pub prefix: Rc<str>,
     /// The title: what is computed.
-    pub title: String,
+    pub title: Rc<str>,
     /// The source of the equations.
-    pub source: String,
+    pub source: Rc<str>,
     /// The statements.
     pub statements: Vec<Statement>,
 }
@@ -104,7 +115,7 @@ impl Section {
     /// Returns a section with the same heading and without statements.
     pub fn without_statements(&self) -> Section {
         let Section { prefix, title, source, .. } = self;
-        let [prefix, title, source] = [prefix, title, source].map(String::clone);
+        let [prefix, title, source] = [prefix, title, source].map(Rc::clone);
         Section { prefix, title, source, statements: Vec::new() }
     }
 
@@ -225,10 +236,7 @@ impl Operand {
 impl Program {
     /// Iterates over all sections; sections of loops count once.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
-        self.blocks.iter().flat_map(|block| match block {
-            Block::Once(sections) => sections,
-            Block::Loop(block) => &block.sections,
-        })
+        self.blocks.iter().flat_map(Block::sections)
     }
 
     /// Iterates over its loops.

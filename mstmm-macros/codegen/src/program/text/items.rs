@@ -1,15 +1,16 @@
 //! The statements of the readable text: each sine and cosine is computed where it is first read.
 
 use crate::program::{Block, Operand, Operation, Section, Statement, ValueId};
+use std::rc::Rc;
 
 /// The items under one heading.
 pub struct ItemSection {
     /// The prefix of the names of unnamed values.
-    pub prefix: String,
+    pub prefix: Rc<str>,
     /// The title: what is computed.
-    pub title: String,
+    pub title: Rc<str>,
     /// The source of the equations.
-    pub source: String,
+    pub source: Rc<str>,
     /// The items.
     pub items: Vec<Item>,
 }
@@ -54,15 +55,11 @@ impl Item {
 
 /// Returns the items of a block, by section.
 pub fn items(block: &Block) -> Vec<ItemSection> {
-    let sections = match block {
-        Block::Once(sections) => sections,
-        Block::Loop(loop_) => &loop_.sections,
-    };
     let mut angles = Vec::new();
     let mut all: Vec<ItemSection> = Vec::new();
-    for (number, section) in sections.iter().enumerate() {
+    for (number, section) in block.sections().iter().enumerate() {
         let Section { prefix, title, source, statements } = section;
-        let [prefix, title, source] = [prefix, title, source].map(String::clone);
+        let [prefix, title, source] = [prefix, title, source].map(Rc::clone);
         let mut items = Vec::new();
         for statement in statements {
             match statement {
