@@ -5,7 +5,11 @@ use std::{fs, io};
 
 /// Phrases in lower case, with what to write instead.
 const PHRASES: &[(&str, &[&str])] = &[
-    ("omitted", &["leave away", "leaves away", "leaving away"]),
+    ("depends on; for weights: hangs from", &["hangs on", "hang on"]),
+    ("omitted", &["left away", "leave away", "leaves away", "leaving away"]),
+    ("leaves unconstrained", &["lets free", "lets everything free", "lets nothing free"]),
+    ("degrees of freedom", &["freedoms"]),
+    ("is not part of", &["is no part of", "are no part of"]),
     (
         "separate",
         &[
@@ -17,14 +21,18 @@ const PHRASES: &[(&str, &[&str])] = &[
         ],
     ),
     ("prescribed, specified", &["as it is told", "as they are told", "is told", "are told"]),
-    ("propagates, passes", &["handed on"]),
+    ("specified, properties", &["said of"]),
+    ("is, is written, is defined", &["stands there", "stand there", "stands in", "stand in"]),
+    ("in addition to, compared with", &["besides"]),
+    ("propagates, passes", &["hands on", "handed on"]),
     ("available", &["can be had", "cannot be had", "at hand"]),
     ("without", &["for want of"]),
-    ("is unspecified", &["means nothing"]),
+    ("is unspecified", &["means nothing", "mean nothing"]),
     ("ensures", &["sees to it that", "see to it that"]),
-    ("the result", &["what came out"]),
-    ("projects onto", &["puts back onto"]),
+    ("the result", &["what comes out", "what came out"]),
+    ("projects onto", &["puts back onto", "put back onto"]),
     ("computes", &["reckon", "reckons", "reckoned"]),
+    ("error", &["mistake", "mistakes"]),
 ];
 
 const ENDINGS: [&str; 8] = ["md", "rs", "py", "c", "h", "toml", "stderr", "chain"];

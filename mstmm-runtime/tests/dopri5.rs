@@ -106,7 +106,7 @@ fn interpolation_outside_the_last_step_is_refused() {
     refused(&integrator, state.t, &mut out);
 }
 
-/// What is asked for is what comes out: the error at the end falls with the tolerance and stays
+/// The result meets the tolerance: the error at the end falls with the tolerance and stays
 /// near it.
 #[test]
 fn the_error_follows_the_tolerance() {

@@ -21,7 +21,7 @@ pub struct Rod<T> {
     pub rate: T,
 }
 
-/// θ̈ in rad/s² of all rods, from the one that hangs on the ground on, under gravity g in m/s² along
+/// θ̈ in rad/s² of all rods, starting with the rod at the ground, under gravity g in m/s² along
 /// −y: A θ̈ = −B θ̇² − \[g l_i (m_i/2 + m_{i+1} + … + m_n) cos θ_i\] `[P, Eq. (46)]`.
 ///
 /// a_ij = l_i l_j (m_k/2 + m_{k+1} + … + m_n) cos(θ_i − θ_j) with k = max(i, j); the paper prints k = j,

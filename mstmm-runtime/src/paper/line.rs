@@ -46,7 +46,7 @@ pub struct Mass<T> {
     pub position: T,
     /// ẋ in m/s.
     pub velocity: T,
-    /// f in N, what acts on it besides springs and dampers.
+    /// The force f in N, without springs and dampers.
     pub force: T,
     /// k in N/m of the spring at its inboard side; the first one leads to a wall at x = 0.
     pub stiffness: T,

@@ -29,7 +29,7 @@ pub struct Body<T> {
     pub inertia: T,
 }
 
-/// How a body in the plane moves and what acts on it besides the forces at its ends.
+/// How a body in the plane moves and the loads on it except the forces at its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acting<T> {
     /// θ₃ of the body's frame in rad.

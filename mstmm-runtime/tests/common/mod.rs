@@ -166,7 +166,7 @@ pub fn spring_error(state: &State<f64, 1, 1>) -> f64 {
 }
 
 /// A rigid body with moments of inertia 1, 1 and `axial`: quaternion w, x, y, z and the angular
-/// velocity in the body. It is free, or hangs on a ball by a point of its own z axis.
+/// velocity in the body. It is free, or a ball holds a point of its z axis.
 pub struct Top<T> {
     pub axial: T,
     /// Weight times the distance of the centre of mass from the ball, positive where it stands up.

@@ -17,7 +17,7 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     lines.push(" |---|---|---|".into());
     lines.extend(cx.chain.route.iter().map(|&element| row(cx, element)));
     lines.push(String::new());
-    lines.extend(freedoms(cx));
+    lines.extend(mobility(cx));
     lines.push(String::new());
     let cost = cx.compiled.function(Answer::Accelerations).procedure.cost();
     let each = if cx.chain.repeats.is_empty() { "" } else { "; a repeated part counts once" };
@@ -73,11 +73,11 @@ pub fn results(cx: &EmitContext) -> String {
 }
 
 /// Returns the degrees of freedom, and the constraints of a loop closure.
-fn freedoms(cx: &EmitContext) -> Vec<String> {
+fn mobility(cx: &EmitContext) -> Vec<String> {
     let count = cx.rates().total;
     if cx.layout.loop_hinges.is_empty() {
-        let freedoms = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
-        return vec![format!(" Mobility {count}: {count} {freedoms}.")];
+        let noun = if count == 1 { "degree of freedom" } else { "degrees of freedom" };
+        return vec![format!(" Mobility {count}: {count} {noun}.")];
     }
     let rates = if count == 1 { "rate" } else { "rates" };
     let Some(Mobility { dofs, constraints, redundant }) = cx.findings.mobility else {
@@ -135,9 +135,10 @@ fn row(cx: &EmitContext, element: Element) -> String {
         Element::Body(index) => {
             let body = &cx.chain.bodies[index];
             let floats = cx.chain.hinges.iter().find(|hinge| hinge.name == body.name);
-            let freedoms = floats.map_or(String::new(), |hinge| hinge.kind.dof_count().to_string());
+            let dof_count =
+                floats.map_or(String::new(), |hinge| hinge.kind.dof_count().to_string());
             let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));
-            format!(" | `{}` | body `{}`{mass} | {freedoms} |", body.name, body.type_name)
+            format!(" | `{}` | body `{}`{mass} | {dof_count} |", body.name, body.type_name)
         }
         Element::Hinge(index) => {
             let hinge = &cx.chain.hinges[index];
@@ -148,8 +149,8 @@ fn row(cx: &EmitContext, element: Element) -> String {
                 [] => String::new(),
                 axes => format!("({})", axes.join(", ")),
             };
-            let freedoms = if hinge.is_prescribed() { 0 } else { hinge.kind.dof_count() };
-            format!(" | `{}` | {kind}{about}{motion} | {freedoms} |", hinge.name)
+            let dof_count = if hinge.is_prescribed() { 0 } else { hinge.kind.dof_count() };
+            format!(" | `{}` | {kind}{about}{motion} | {dof_count} |", hinge.name)
         }
     }
 }

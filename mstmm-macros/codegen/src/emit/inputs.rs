@@ -152,7 +152,7 @@ impl EmitContext<'_> {
         match input.what {
             InputKind::Motion(hinge) => {
                 let kind = &self.chain.hinges[hinge].kind;
-                let (coordinates, freedoms) = (kind.coordinates(), kind.dof_count());
+                let (coordinates, dof_count) = (kind.coordinates(), kind.dof_count());
                 let groups = self.view(hinge).groups.iter().map(|group| match group {
                     ViewArgument::Coordinates(range) => tuple_or_one(&symbols[range.clone()]),
                     ViewArgument::Rates(range) => {
@@ -160,7 +160,7 @@ impl EmitContext<'_> {
                         tuple_or_one(&symbols[range])
                     }
                 });
-                let accelerations = &symbols[coordinates + freedoms..];
+                let accelerations = &symbols[coordinates + dof_count..];
                 let taken = take(accelerations, quote!(#from.acceleration));
                 quote! {
                     let (#(#groups,)*) = #from.state.into_groups();

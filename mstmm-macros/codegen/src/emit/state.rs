@@ -14,7 +14,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
     let doc = format!(" The state of [`{}`]: coordinates, rates and time.", cx.names.chain);
     let coordinates = usize_literal(cx.coordinates().total);
-    let freedoms = usize_literal(cx.rates().total);
+    let dof_count = usize_literal(cx.rates().total);
     let accessors = cx.chain.hinges.ids().into_iter().map(|index| accessors(cx, index));
     let rest = rest(cx);
     let order = orders::of_state(cx);
@@ -32,7 +32,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #visibility q: #mstmm::nalgebra::SVector<T, #coordinates>,
             /// The rates in rad/s and m/s.
             #[doc(alias("generalized velocities", "qvel", "nv"))]
-            #visibility v: #mstmm::nalgebra::SVector<T, #freedoms>,
+            #visibility v: #mstmm::nalgebra::SVector<T, #dof_count>,
             /// The time in s.
             #visibility t: T,
         }
@@ -46,7 +46,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 let _ = one_;
                 Self {
                     q: #mstmm::generated::vector(#rest),
-                    v: #mstmm::generated::vector([zero_; #freedoms]),
+                    v: #mstmm::generated::vector([zero_; #dof_count]),
                     t: zero_,
                 }
             }

@@ -15,7 +15,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let (name, chain) = (&cx.names.workspace, &cx.names.chain);
     let visibility = &cx.passthrough.visibility;
     let doc = format!(" The results of [`{chain}::solve_into`]: {}.", docs::results(cx));
-    let freedoms = usize_literal(cx.rates().total);
+    let dof_count = usize_literal(cx.rates().total);
     let point_count = usize_literal(cx.points().total);
     let number_count = usize_literal(cx.numbers_of_points().total);
     let shifts = usize_literal(cx.chain.dimension.shifts().len());
@@ -61,7 +61,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         #[derive(Clone, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
-            accelerations: #mstmm::nalgebra::SVector<T, #freedoms>,
+            accelerations: #mstmm::nalgebra::SVector<T, #dof_count>,
             #all_rates_field
             efforts: #mstmm::nalgebra::SVector<T, #rates>,
             #energy_fields
@@ -73,7 +73,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         impl<T: #mstmm::Scalar> #name<T> {
             /// Returns the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s².
             #[inline]
-            #visibility fn accelerations(&self) -> &#mstmm::nalgebra::SVector<T, #freedoms> {
+            #visibility fn accelerations(&self) -> &#mstmm::nalgebra::SVector<T, #dof_count> {
                 &self.accelerations
             }
 
@@ -112,7 +112,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #visibility fn workspace(&self) -> #name<T> {
                 let zero_ = T::constant(0.0);
                 #name {
-                    accelerations: #mstmm::generated::vector([zero_; #freedoms]),
+                    accelerations: #mstmm::generated::vector([zero_; #dof_count]),
                     #all_rates_zero
                     efforts: #mstmm::generated::vector([zero_; #rates]),
                     #energies_zero

@@ -179,10 +179,10 @@ impl DryRun {
         let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
         let driven = self.chain.hinges.iter().any(|hinge| hinge.drive == Drive::Prescribed);
         let Some(closing) = closing.filter(|_| !driven) else { return };
-        let freedoms = self.merged.dof_count();
+        let dof_count = self.merged.dof_count();
         let message = format!(
             "this closed chain cannot move: its loop constraints remove all degrees of freedom \
-             of its hinges ({freedoms}); add a hinge or an axis, or leave one end free"
+             of its hinges ({dof_count}); add a hinge or an axis, or leave one end free"
         );
         diagnostics.error(closing.name.span(), message);
     }

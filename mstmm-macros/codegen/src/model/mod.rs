@@ -89,7 +89,7 @@ pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain,
         return None;
     }
     let Some(chain) = draft.finish() else {
-        bug!("a part of chain `{}` is missing, and no mistake is reported", def.name)
+        bug!("a part of chain `{}` is missing, and no error is reported", def.name)
     };
     let chain = Chain { assertions, ..chain };
     parameter_uses::repeated_parameters_stay_in_their_part(&chain, diagnostics);

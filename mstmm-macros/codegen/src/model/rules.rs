@@ -1,5 +1,5 @@
 //! What must hold of the numbers of bodies, springs and hinges, each rule once: the compiler judges known
-//! numbers by it, `rustc` those that hang on Rust constants, and setters those that hang on parameters.
+//! numbers by it, `rustc` those that depend on Rust constants, and setters those that depend on parameters.
 
 use super::condition::{Bound, Condition};
 use super::lower::FieldNames;
@@ -98,7 +98,7 @@ pub(super) const PASSIVE: &[PassiveRule] = &[
 pub struct Check {
     /// The number.
     pub value: Value,
-    /// What it must be, besides finite.
+    /// The bound, in addition to being finite.
     pub must: Bound,
     /// The same in words.
     pub reason: String,

@@ -118,7 +118,7 @@ impl Value {
         }
     }
 
-    /// Whether a parameter stands in it.
+    /// Whether it contains a parameter.
     pub fn uses(&self, parameter: usize) -> bool {
         match self {
             Number(_) => false,
@@ -128,7 +128,7 @@ impl Value {
         }
     }
 
-    /// Whether any parameter stands in it.
+    /// Whether it contains any parameter.
     pub fn changes(&self) -> bool {
         match self {
             Number(_) | Value::Symbol(Symbol::Constant(_)) => false,
@@ -138,7 +138,7 @@ impl Value {
         }
     }
 
-    /// How many numbers, symbols and operations stand in it.
+    /// The number of its numbers, symbols and operations.
     pub fn size(&self) -> usize {
         match self {
             Number(_) | Value::Symbol(_) => 1,

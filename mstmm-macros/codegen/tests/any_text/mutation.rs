@@ -25,9 +25,9 @@ enum Mutation {
     Insert(Index, String),
     /// What stands at a place of another text, in its place.
     Graft(Index, String, Index),
-    /// It stands in groups within groups.
+    /// Encloses it in nested groups.
     Enclose(Index, Delimiter, usize),
-    /// What was in a group stands there without it.
+    /// Replaces a group by its contents.
     Open(Index),
 }
 

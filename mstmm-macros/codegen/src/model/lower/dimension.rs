@@ -93,7 +93,7 @@ impl Quantity {
 }
 
 impl PhysicalDimension {
-    /// Of a product, where the other factor stands in it to this power.
+    /// Returns the dimension of a product with a power of the other factor.
     pub fn times(self, other: PhysicalDimension, power: i32) -> PhysicalDimension {
         // Powers of powers overflow quickly, and are an error long before.
         let add = |a: i32, b: i32| a.saturating_add(b.saturating_mul(power));

@@ -55,7 +55,7 @@ fn matrix(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Opti
     Some(IN_MATRIX.map(|index| entries[index].clone()))
 }
 
-/// Where an entry of a tensor stands in a form.
+/// Returns the place of an entry of a tensor in a form.
 pub(super) fn entry(form: &FormSyntax, index: usize) -> Option<SpanRange> {
     let index = if form.word == "matrix" { *IN_MATRIX.get(index)? } else { index };
     form.list.entries.get(index).map(|entry| entry.extent)

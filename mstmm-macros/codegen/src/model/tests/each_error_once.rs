@@ -15,7 +15,7 @@ pub(super) fn expect_rods(written: &str, errors: &[(&str, &str)]) {
     expect_all(&format!("chain A {{ {ROD} {written} }}"), errors);
 }
 
-/// A rod on a hinge of this kind, with this said of the hinge.
+/// Reads a rod on a hinge of this kind with these properties.
 #[track_caller]
 pub(super) fn expect_hinge(kind: &str, fields: &str, errors: &[(&str, &str)]) {
     expect_rods(&format!("ground -> {kind} j -> Rod rod; hinge j {{ {fields} }}"), errors);

@@ -1,4 +1,4 @@
-//! Mistakes in dimensions, ends, loads and repeated parts.
+//! Errors in dimensions, ends, loads and repeated parts.
 
 use super::{edited, expect, expect_all};
 

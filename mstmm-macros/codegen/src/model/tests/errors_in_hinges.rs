@@ -1,4 +1,4 @@
-//! Mistakes in kinds of hinges and in what is said of them.
+//! Errors in kinds and properties of hinges.
 
 use super::{expect, expect_all};
 

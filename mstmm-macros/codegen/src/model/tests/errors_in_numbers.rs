@@ -1,4 +1,4 @@
-//! Mistakes in numbers, vectors and units.
+//! Errors in numbers, vectors and units.
 
 use super::expect;
 

@@ -1,4 +1,4 @@
-//! Mistakes in bodies and in the properties of hinges.
+//! Errors in bodies and in the properties of hinges.
 
 use super::{each_error_once, expect};
 

@@ -1,4 +1,4 @@
-//! Mistakes in the route.
+//! Errors in the route.
 
 use super::each_error_once::{ITEMS, expect_rods};
 use super::{expect, expect_all};

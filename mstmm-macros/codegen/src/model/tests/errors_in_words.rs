@@ -1,4 +1,4 @@
-//! Mistakes in names, settings and items.
+//! Errors in names, settings and items.
 
 use super::each_error_once::expect_rods;
 use super::{PENDULUM, edited, expect, expect_all};

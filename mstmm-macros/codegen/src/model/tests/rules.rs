@@ -1,4 +1,4 @@
-//! What setters ask of numbers that hang on parameters.
+//! The conditions that setters check for values that depend on parameters.
 
 use super::chain;
 use crate::model::{Bound, Check};

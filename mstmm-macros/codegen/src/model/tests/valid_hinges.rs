@@ -1,4 +1,4 @@
-//! Hinges without errors: all kinds, and all that can be said of them.
+//! Hinges without errors: all kinds and all properties.
 
 use super::{all_known, chain, constants, edited, known};
 use crate::ids::HingeId;

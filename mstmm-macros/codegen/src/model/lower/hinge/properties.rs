@@ -28,13 +28,13 @@ impl HingeProperties {
     /// Returns the properties of a hinge without a block.
     pub fn none(spec: &HingeSpec) -> Self {
         let numbers = |count| vec![Value::number(0.0); count];
-        let freedoms = spec.rates.len();
+        let dof_count = spec.rates.len();
         HingeProperties {
             start: zero_position(spec),
-            start_rate: numbers(freedoms),
+            start_rate: numbers(dof_count),
             rest: zero_position(spec),
-            drive: Drive::Efforts(vec![Effort::Free; freedoms]),
-            passive: vec![Passive::none(); freedoms],
+            drive: Drive::Efforts(vec![Effort::Free; dof_count]),
+            passive: vec![Passive::none(); dof_count],
         }
     }
 }
