@@ -1,12 +1,11 @@
-//! The transfer matrix method: the forward product from the ground's end, `z_{1,I}` of [P, Eqs.
-//! (9), (10)], for general chains.
+//! The transfer matrix method: the forward product from the ground's end, `z_{1,I}` of
+//! [P, Eqs. (9), (10)], for general chains.
 //!
 //! `a` and `F` at a connection point are a known part plus one column for each of six unknowns: the
 //! columns of `U_j … U_1` that the boundary leaves open. The paper's hinges look ahead to the next
-//! hinge ([P, Eqs.
-//! (25), (38)]), which loses accuracy with the length of the chain. Here each hinge uses its own conditions
-//! `Sᵀ F = τ` at once, and eliminates as many unknowns as its accelerations `β` add. The condition
-//! `F = 0` at the free end is the boundary solve [P, Eq. (11)]. Back substitution through the
+//! hinge ([P, Eqs. (25), (38)]), which loses accuracy with the length of the chain. Here each hinge
+//! uses its own conditions `Sᵀ F = τ` at once, and eliminates as many unknowns as its accelerations
+//! `β` add. The condition `F = 0` at the free end is the boundary solve [P, Eq. (11)]. Back substitution through the
 //! eliminations gives all `β`.
 //!
 //! A loop hinge adds its constraint forces to the wrench at the far end. These are the constraint

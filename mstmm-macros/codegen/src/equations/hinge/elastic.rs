@@ -1,16 +1,15 @@
 //! Elastic: six springs and dampers in the axes of an intermediate frame [P, Sect. A.1].
 //!
 //! The outboard frame is rotated relative to the inboard frame by `A = A_z(θ_r) A_y(θ₂) A_x(θ₁)`
-//! [P, Eqs.
-//! (1), (53)]: a rotation `θ_r` of any size about the inboard `ζ` leads to the intermediate frame, and small
-//! rotations lead from there to the outboard frame. Coordinates: the displacement `Δ` of the
-//! outboard origin in m, in axes of the intermediate frame, then `θ₁, θ₂, θ_r` in rad. Rates: as
-//! for a floating hinge.
+//! [P, Eqs. (1), (53)]: a rotation `θ_r` of any size about the inboard `ζ` leads to the intermediate
+//! frame, and small rotations lead from there to the outboard frame. Coordinates: the displacement
+//! `Δ` of the outboard origin in m, in axes of the intermediate frame, then `θ₁, θ₂, θ_r` in rad.
+//! Rates: as for a floating hinge.
 //!
 //! The efforts of [P, Eq. (54)] act along the rates of these six coordinates, on which they do
 //! work. The springs therefore have an energy for all rotations and stiffnesses. In the frame of
-//! (54) this adds the moment of a rotated anisotropic spring to `m_z`, and replaces `m_x` by `(m_x
-//! + m_z sin θ₂)/cos θ₂`. Both reactions act at the outboard origin, so angular momentum is
+//! (54) this adds the moment of a rotated anisotropic spring to `m_z`, and replaces `m_x` by
+//! `(m_x + m_z sin θ₂)/cos θ₂`. Both reactions act at the outboard origin, so angular momentum is
 //! conserved.
 
 use super::law::{HingeLaw, identity_alignment, without_quaternions};

@@ -2,8 +2,7 @@
 //!
 //! Coordinate: the angle `Θ` in rad of the outboard frame relative to the inboard frame,
 //! right-handed about `ζ`. One of the aligned axes lies along `ζ`, so the moment about it is one
-//! entry: `H_2 Aᵀ m = 0` of [P, Eq.
-//! (35)].
+//! entry: `H_2 Aᵀ m = 0` of [P, Eq. (35)].
 
 use super::axis::Alignment;
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};

@@ -90,8 +90,8 @@ impl<S: Scalar> LinkKinematics<S> {
         SpatialInertia::rigid(self.mass, self.first_moment, self.inertia)
     }
 
-    /// Returns the wrench that the velocities require, `[m Ω̃Ω̃ r_C; Ω × J Ω]`: `−E_5` of [P, Eq.
-    /// (20)] and, about the point, the gyroscopic part of `E_9`.
+    /// Returns the wrench that the velocities require, `[m Ω̃Ω̃ r_C; Ω × J Ω]`: `−E_5` of
+    /// [P, Eq. (20)] and, about the point, the gyroscopic part of `E_9`.
     pub fn velocity_wrench(&self) -> Wrench<S> {
         let moment = self.inertia.gyroscopic(self.omega);
         Wrench { force: self.first_moment.centripetal_by_products(self.omega), moment }
