@@ -29,7 +29,7 @@ pub(super) const DAMPING: ValueRule = not_negative("a damping cannot be negative
 pub(super) const LENGTH: ValueRule = not_negative("a length cannot be negative", "length");
 pub(super) const WIDTH: ValueRule = ValueRule {
     unit: None,
-    ..positive("the first limit must be below the second one", "width of the limits")
+    ..positive("the first limit must be less than the second", "width of the limits")
 };
 pub(super) const LARGEST_ANGLE: ValueRule =
     ValueRule { message: "the largest angle must be positive", ..WIDTH };
@@ -76,13 +76,13 @@ pub(super) const PASSIVE: &[PassiveRule] = &[
     },
     PassiveRule {
         // By a speed of zero friction would divide by zero.
-        rule: positive("the speed of friction must be positive", "friction speed"),
+        rule: positive("the friction speed must be positive", "friction speed"),
         field: |names| names.friction_speed,
         number: |passive| Some(&passive.friction.as_ref()?.speed),
     },
     PassiveRule {
         // Limits without stiffness are none.
-        rule: positive("the stiffness of limits must be positive", "limit stiffness"),
+        rule: positive("the limit stiffness must be positive", "limit stiffness"),
         field: |names| names.limit_stiffness,
         number: |passive| Some(&passive.limits.as_ref()?.stiffness),
     },

@@ -226,7 +226,7 @@ fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
     };
     let value = digits.parse().map_err(|_| Error::new(at, "expected a number"))?;
     if is_number_type(&suffix) {
-        return Err(Error::new(at, "numbers have no type here: remove the suffix"));
+        return Err(Error::new(at, "a number has no type suffix here: remove the suffix"));
     }
     let expr = ExprSyntax { kind: ExprKind::Number(value), extent: SpanRange::token(at) };
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))

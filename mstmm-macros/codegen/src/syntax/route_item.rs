@@ -70,8 +70,7 @@ fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
 }
 
 /// The message for a position of a moving end.
-pub(super) const MOVING_HAS_NO_PLACE: &str =
-    "a moving end has no position: its motion is given at each step";
+pub(super) const MOVING_HAS_NO_PLACE: &str = "a moving end has no position: its motion is an input";
 
 /// Parses the arguments in parentheses, if there are any.
 fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {

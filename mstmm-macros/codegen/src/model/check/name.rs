@@ -203,7 +203,8 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
         let text = name.ident.to_string();
         let mut methods = name.methods().chain([text.clone()]);
         if methods.any(|method| RESERVED.contains(&&*method)) {
-            let message = format!("`{text}` is a method of every chain and cannot be a name");
+            let message =
+                format!("`{text}` is reserved for the generated types and cannot be a name");
             diagnostics.name(name.ident, message);
         }
         if INPUTS.contains(&&*text) {

@@ -232,7 +232,7 @@ pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostic
         && middle.iter().zip(properties).all(is_rigid)
     {
         let message = "the chain is held at both ends and all its hinges are welds or \
-                       prescribed: add one that is free to move, or free an end";
+                       prescribed: add a hinge that can move, or leave one end free";
         diagnostics.error(at, message);
     }
 }

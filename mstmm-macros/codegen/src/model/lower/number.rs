@@ -285,7 +285,7 @@ impl Context<'_> {
         unit: &'e UnitSyntax,
     ) -> Option<Measured<'e>> {
         if matches!(&product.kind, ExprKind::Name(word) if word == "input") {
-            return self.refuse(unit.extent, "`input` stands alone");
+            return self.refuse(unit.extent, "`input` has no unit: remove the unit");
         }
         let (number, unit_known) = (self.measure(product), self.unit(unit));
         let (number, (scale, dimension)) = (number?, unit_known?);

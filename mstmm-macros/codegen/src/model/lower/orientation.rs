@@ -21,7 +21,7 @@ type OrientationReader = fn(&mut Context, &FormSyntax) -> Option<Orientation>;
 
 /// The forms of an orientation.
 const ORIENTATIONS: &[(&str, OrientationReader)] = &[("rpy", rpy), ("quaternion", quaternion)];
-const ZERO_QUATERNION: &str = "a quaternion of zeros is no orientation";
+const ZERO_QUATERNION: &str = "a quaternion of zeros is not an orientation";
 const EXPECTED: &str = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`";
 
 fn rpy(context: &mut Context, form: &FormSyntax) -> Option<Orientation> {

@@ -129,10 +129,8 @@ fn target(
             context.refuse(name, format!("`{name}` is a hinge: write `hinge {name} {{ … }}`"))
         }
         (_, RouteItem::Moving { .. }) => {
-            let message = format!(
-                "`{name}` is a moving end and has no properties: its motion is given at \
-                         each step"
-            );
+            let message =
+                format!("`{name}` is a moving end and has no properties: its motion is an input");
             context.refuse(name, message)
         }
         // It may be a hinge whose kind is not known.

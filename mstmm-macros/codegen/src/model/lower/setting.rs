@@ -104,7 +104,7 @@ fn chosen<T: Copy>(
     let entries = match written {
         ValueSyntax::Number(entry) => std::slice::from_ref(entry),
         ValueSyntax::Vector(ListSyntax { unit: Some(unit), .. }) => {
-            return context.refuse(unit.extent, "keywords have no unit: remove it");
+            return context.refuse(unit.extent, "a keyword has no unit: remove the unit");
         }
         ValueSyntax::Vector(ListSyntax { entries, extent, .. }) if entries.is_empty() => {
             return context.refuse(*extent, words.missing("nothing"));

@@ -50,7 +50,7 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
             ("kg", "expected a torque, found a mass"),
             ("3", "expected `input` …"),
             ("1", "expected two limits `[lowest, highest]`, found a number"),
-            ("0", "the stiffness of limits must be positive"),
+            ("0", "the limit stiffness must be positive"),
             ("-1", "a damping cannot be negative"),
         ],
     );
@@ -73,9 +73,9 @@ fn a_missing_field_hides_no_wrong_one() {
         "limit_stiffness = -2; friction_speed = -1;",
         &[
             ("limit_stiffness", "`limit_stiffness` needs `limits` as well"),
-            ("-2", "the stiffness of limits must be positive"),
+            ("-2", "the limit stiffness must be positive"),
             ("friction_speed", "`friction_speed` needs `friction` as well"),
-            ("-1", "the speed of friction must be positive"),
+            ("-1", "the friction speed must be positive"),
         ],
     );
 }

@@ -96,11 +96,7 @@ fn ends_are_at_the_ends() {
     expect(
         "ground -> pin(z) shoulder",
         "moving shoulder -> pin(z) a",
-        &[(
-            "shoulder",
-            "`shoulder` is a moving end and has no properties: its motion is given at \
-                        each step",
-        )],
+        &[("shoulder", "`shoulder` is a moving end and has no properties: its motion is an input")],
     );
     expect(
         "ground -> pin(z) shoulder",
@@ -207,7 +203,7 @@ fn names_of_loads_are_free() {
     expect_load(&load("rod"), &[("rod", "the name `rod` is used twice")]);
     expect_load(
         &load("closure"),
-        &[("closure", "`closure` is a method of every chain and cannot be a name")],
+        &[("closure", "`closure` is reserved for the generated types and cannot be a name")],
     );
     expect_load(
         &[load("push"), load("push_force")].concat(),

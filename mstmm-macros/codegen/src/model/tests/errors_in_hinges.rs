@@ -172,14 +172,14 @@ fn passive_numbers_give_no_energy() {
     expect_hinge(
         "pin",
         "friction = -1; friction_speed = 0;",
-        &[("-1", "friction cannot be negative"), ("0", "the speed of friction must be positive")],
+        &[("-1", "friction cannot be negative"), ("0", "the friction speed must be positive")],
     );
     expect_hinge(
         "pin",
         "limits = [2, 1]; limit_stiffness = 0; limit_damping = -1;",
         &[
             ("[2, 1]", "… must be below the second one"),
-            ("0", "the stiffness of limits must be positive"),
+            ("0", "the limit stiffness must be positive"),
             ("-1", "a damping cannot be negative"),
         ],
     );

@@ -55,7 +55,7 @@ fn a_unit_closes_its_product() {
 #[test]
 fn units_are_known() {
     expect_mass("1kq", &[("1kq", "unknown unit `kq`")]);
-    expect_mass("1f64", &[("1f64", "numbers have no type here: …")]);
+    expect_mass("1f64", &[("1f64", "a number has no type suffix here: …")]);
     expect_mass("1 kg^99", &[("99", "expected a whole power up to 9")]);
     expect_mass("1 kg^0.5", &[("0.5", "expected a whole power up to 9")]);
 }
@@ -215,9 +215,8 @@ fn the_expected_kind_decides_which_term_is_wrong() {
 #[test]
 fn input_stands_alone() {
     let torque = "torque = input;";
-    expect(torque, "torque = input N*m;", &[("N*m", "`input` stands alone")]);
-    let message = "`input` cannot be part of a formula: it stands for a whole field that is \
-                   given at each step";
+    expect(torque, "torque = input N*m;", &[("N*m", "`input` has no unit: remove the unit")]);
+    let message = "`input` cannot be part of a formula: write it as the whole value of a field";
     expect(torque, "torque = 2 * input;", &[("input", message)]);
     expect_mass("input", &[("input", message)]);
     expect(

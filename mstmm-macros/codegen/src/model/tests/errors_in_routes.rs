@@ -245,7 +245,7 @@ fn what_stands_beside_the_route_is_no_second_one() {
 
 #[test]
 fn moving_ends_have_no_place() {
-    let message = "a moving end has no position: its motion is given at each step";
+    let message = "a moving end has no position: its motion is an input";
     expect_rods("moving deck at [1, 0, 0] -> pin j -> Rod rod;", &[("at", message)]);
     expect_rods("moving deck turned rpy(0, 0, 1) -> pin j -> Rod rod;", &[("turned", message)]);
     expect_rods(

@@ -27,7 +27,7 @@ fn names_are_used_once() {
 fn names_are_free() {
     // What the generated types keep for themselves.
     for (body, name) in [("Rod point_", "point_"), ("Rod PLACES_", "PLACES_")] {
-        let message = format!("`{name}` is a method of every chain and cannot be a name");
+        let message = format!("`{name}` is reserved for the generated types and cannot be a name");
         expect("Rod rod", body, &[(name, &message)]);
     }
     expect("Rod rod", "Rod r#fn", &[("r#fn", "`r#fn` is a keyword …")]);

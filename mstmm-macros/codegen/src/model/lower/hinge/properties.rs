@@ -135,7 +135,7 @@ fn drive(spec: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Dr
             false => {
                 let found = written.described();
                 let message = format!(
-                    "expected `input` for a motion that is given at each step, found \
+                    "expected `motion = input`, found \
                              {found}"
                 );
                 context.refuse(written.extent(), message)
