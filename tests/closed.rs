@@ -268,7 +268,7 @@ fn everything_acts_at_a_closing_hinge() {
 /// In the flat pose, all hinges lie in a line and two motions branch. The results must be finite and
 /// an allowed motion, and the chain must pass through this pose.
 #[test]
-fn folded_flat_nothing_is_nan() {
+fn a_flat_pose_has_no_nan() {
     let chain = Parallelogram::<f64>::new();
     let inputs = chain.no_inputs();
     for rate in [0.0, 2.0] {

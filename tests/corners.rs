@@ -49,7 +49,7 @@ macro_rules! for_both {
 
 /// Nothing can move, so the welds carry the weight of the bodies on top of them.
 #[test]
-fn welds_alone_carry_the_weight() -> Result<(), Error> {
+fn welds_carry_the_whole_weight() -> Result<(), Error> {
     for_both! { chain in [Statue, StatueByTransfer] {
         let mut state = chain.initial_state();
         let mut at = chain.workspace();

@@ -109,7 +109,7 @@ fn a_tiny_inertia_that_is_exact_has_an_answer_in_single_precision() {
 }
 
 #[test]
-fn a_parameter_that_leaves_nothing_finite_is_refused() {
+fn a_parameter_with_results_that_are_not_finite_is_refused() {
     let mut chain = Lever::<f64>::new();
     let before = chain.clone();
     for refused in [chain.set_length(0.0), chain.set_slant(0.0), chain.set_length(f64::INFINITY)] {

@@ -166,7 +166,7 @@ const ARM: Lump =
 /// Ω = a α̇ + b' β̇ with b' = Rot(a, α) b, so Ω̇ = a α̈ + b' β̈ + (a × b') α̇ β̇. The arm is in
 /// balance, and its moments about both axes are the motor torques minus those of the rotors.
 #[test]
-fn a_universal_hinge_turns_about_both_axes() {
+fn a_universal_hinge_rotates_about_both_axes() {
     let chain = Cross::<f64>::new();
     let mut at = chain.workspace();
     let [a, b] =

@@ -251,7 +251,7 @@ fn moments_along_free_directions_are_the_efforts() {
 }
 
 #[test]
-fn fast_ways_say_the_same_as_the_full_solution() {
+fn partial_functions_equal_the_full_solution() {
     fn check<C: Driven>(name: &str) {
         in_many_states::<C>(name, |chain, state, inputs| {
             let answer = solved(chain, state, inputs);

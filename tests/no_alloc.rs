@@ -56,7 +56,7 @@ fn everything_runs_in_a_crate_without_alloc() -> Result<(), Error> {
 }
 
 #[test]
-fn what_the_facade_stands_on_has_no_alloc() {
+fn dependencies_of_the_facade_have_no_alloc() {
     let tree = Command::new(env!("CARGO"))
         .args(["tree", "--offline", "--package", "mstmm", "--no-default-features"])
         .args(["--edges", "normal,features,no-proc-macro", "--prefix", "none"])

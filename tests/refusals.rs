@@ -191,13 +191,13 @@ fn a_thin_rod_on_a_ball_at_the_tip_has_no_answer_by_transfer() {
 }
 
 #[test]
-fn a_thin_rod_on_the_way_has_no_answer() {
+fn a_thin_rod_inside_is_singular() {
     is_loose! { Deep }
     is_loose! { Axle }
 }
 
 #[test]
-fn a_thin_rod_on_the_way_has_no_answer_by_transfer() {
+fn a_thin_rod_inside_is_singular_by_transfer() {
     is_loose! { DeepByTransfer }
     is_loose! { AxleByTransfer }
 }
@@ -299,7 +299,7 @@ mstmm_chain! {
 }
 
 #[test]
-fn nothing_stays_of_a_rope_that_is_refused() {
+fn a_refused_rope_leaves_no_changes() {
     let chain = Rope::<f64>::new();
     let (new, mut at) = (chain.workspace(), chain.workspace());
     for place in 0..5 {
@@ -340,7 +340,7 @@ fn what_overflows_is_not_singular() {
 
 /// Whichever of the numbers it is that is not finite, and however many there are.
 #[test]
-fn all_numbers_are_looked_at() {
+fn all_values_are_checked() {
     fn looks_at_all<const N: usize>() {
         assert!(mstmm::generated::pivots_ok([1.0; 0], [], [1.0; N]), "{N}");
         for place in 0..N {

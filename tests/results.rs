@@ -99,7 +99,7 @@ macro_rules! chosen {
             }
 
             #[test]
-            fn what_is_not_asked_for_takes_no_room() {
+            fn omitted_results_need_no_memory() {
                 let everything = size_of::<EverythingWorkspace<f64>>();
                 assert_eq!(size_of::<SoundWorkspace<f64>>(), everything);
                 let fewer = [

@@ -145,7 +145,7 @@ fn set<C: GeneratedChain<Scalar = f64>>(chain: &C, seed: u64) -> Result<C::State
 /// the ground. The coordinates of the end follow by assembly, which may move all others: the open
 /// chains are put where the closed ones came to be.
 #[test]
-fn ends_that_hold_nothing_or_by_springs() {
+fn ends_without_reactions_or_with_springs() {
     fn check<C: GeneratedChain<Scalar = f64>, O: GeneratedChain<Scalar = f64>>(
         name: &str,
         closed: &C,

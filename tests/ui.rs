@@ -10,18 +10,18 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 #[test]
-fn mistakes_are_reported_where_they_are() {
+fn errors_are_reported_at_their_tokens() {
     let cases = trybuild::TestCases::new();
     cases.compile_fail("tests/ui/*.rs");
     cases.compile_fail("tests/ui/*/*.rs");
 }
 
-/// A message about anything but the description would not be the user's to mend. In the folder `quiet`
-/// programs use the chains that are wrong, of which nothing may be said (see `emit/wrong.rs`); in `reading` they read what right
-/// ones do not have, in `writing` they write what only setters change, and in `warnings` they deny
-/// warnings, which would not be seen otherwise.
+/// Tests that cases are only macro calls: a message about other code would not help the user. Four folders have programs
+/// instead. Those in `quiet` use wrong chains, about which rustc must report nothing more (see `emit/error_types.rs`); those in
+/// `reading` read what a chain does not have; those in `writing` write what only setters change; those in `warnings`
+/// deny warnings, which the tests would not show otherwise.
 #[test]
-fn cases_are_macro_calls_alone() {
+fn cases_are_only_macro_calls() {
     let folders = ["quiet", "reading", "writing", "warnings"];
     let programs = folders.map(|folder| root().join("tests/ui").join(folder));
     let is_call = |case: &PathBuf| !programs.iter().any(|folder| case.starts_with(folder));

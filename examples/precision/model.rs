@@ -54,21 +54,21 @@ pub fn times(chain: &Chain, what: InputKind) -> Option<usize> {
 fn driven(hinge: &Hinge) -> Vec<bool> {
     let Drive::Efforts(efforts) = &hinge.drive else { return Vec::new() };
     let groups = hinge.kind.spec().groups.iter();
-    let turns = groups.flat_map(|group| group.rates.clone().map(|_| group.turns));
-    let inputs = efforts.iter().zip(turns).filter(|(effort, _)| **effort == Effort::Input);
-    inputs.map(|(_, turns)| turns).collect()
+    let rotational = groups.flat_map(|group| group.rates.clone().map(|_| group.rotational));
+    let inputs = efforts.iter().zip(rotational).filter(|(effort, _)| **effort == Effort::Input);
+    inputs.map(|(_, rotational)| rotational).collect()
 }
 
 fn hinge(chain: &Chain, hinge: &Hinge) -> comparison::Hinge {
-    let shape = hinge.kind.spec();
-    let name = |rate: usize| match shape.rates {
+    let spec = hinge.kind.spec();
+    let name = |rate: usize| match spec.rates {
         [_] => String::new(),
         rates => rates[rate].to_owned(),
     };
     let group = |group: &DofGroup| {
         let quaternion = group.representation == Representation::Quaternion;
         comparison::Group {
-            turns: group.turns,
+            turns: group.rotational,
             quaternion,
             rates: group.rates.clone().map(name).collect(),
             limits: group.rates.clone().map(|strain| limits(chain, hinge, strain)).collect(),
@@ -77,7 +77,7 @@ fn hinge(chain: &Chain, hinge: &Hinge) -> comparison::Hinge {
     comparison::Hinge {
         name: hinge.name.to_string(),
         elastic: matches!(hinge.kind, HingeKind::Elastic | HingeKind::PlaneElastic),
-        groups: shape.groups.iter().map(group).collect(),
+        groups: spec.groups.iter().map(group).collect(),
     }
 }
 

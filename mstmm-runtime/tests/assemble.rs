@@ -53,7 +53,7 @@ fn single_precision_is_closed_to_its_own_accuracy() {
 
 /// q² = −2 has no root: corrections go astray until they are given up.
 #[test]
-fn a_chain_that_cannot_be_closed_is_refused_and_left_alone() {
+fn a_chain_that_cannot_be_closed_is_refused_and_unchanged() {
     let mut state = start(1.0);
     let mut corrections = 0;
     let refused = assemble(&mut state, |state| {

@@ -39,7 +39,7 @@ macro_rules! common_tests {
 
             /// Whole steps, and no sliver where rounding would leave one.
             #[test]
-            fn advance_takes_whole_steps_and_what_is_left() {
+            fn advance_makes_whole_steps_and_a_remainder() {
                 let steps = |start: f64, h: f64, end: f64| {
                     let (mut state, mut method) = (Pendulum::at(1.0, 0.0), $method::new(h));
                     state.t = start;
@@ -115,7 +115,7 @@ macro_rules! common_tests {
             }
 
             #[test]
-            fn an_error_on_the_way_keeps_the_steps_before() {
+            fn an_error_keeps_the_completed_steps() {
                 let chain = Pendulum::<f64>::new();
                 let (mut state, mut method) = (Pendulum::at(0.0, 1.0), $method::new(0.125));
                 let broken = |t: f64, _: &State<f64, 1, 1>| if t > 0.6 { f64::NAN } else { 0.0 };

@@ -183,7 +183,7 @@ fn plane_elastic() {
 }
 
 #[test]
-fn what_is_not_said_rests_at_the_zero_position() {
+fn unspecified_rest_is_the_zero_position() {
     let (one, zero) = ([1.0, 0.0, 0.0, 0.0], [0.0; 3]);
     assert_eq!(PinState::default().into_groups(), (0.0, 0.0));
     assert_eq!(SliderState::default().into_groups(), (0.0, 0.0));

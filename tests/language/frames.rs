@@ -33,7 +33,7 @@ fn assert_turned(found: Rotation3<f64>, expected: Matrix3<f64>) {
 }
 
 #[test]
-fn positions_stand_alone() {
+fn positions_are_whole_values() {
     let (position, orientation) = placed!([at [1, 2, 3] m], [[100, 0, 5] mm]);
     crate::assert_close(position, [1.1, 2.0, 3.005]);
     assert_turned(orientation, Matrix3::identity());

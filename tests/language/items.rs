@@ -46,7 +46,7 @@ mod two {
 }
 
 #[test]
-fn chains_are_types_where_they_stand() {
+fn chains_are_types_of_their_scope() {
     let (public, neighbour, inside) =
         (two::Public::<f64>::new(), two::Neighbour::<f32>::new(), two::Crate::<f64>::new());
     let inputs = two::PublicInputs { axle: 3.0 };

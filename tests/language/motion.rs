@@ -23,7 +23,7 @@ macro_rules! turning {
 }
 
 #[test]
-fn pins_turn_about_their_axes() {
+fn pins_rotate_about_their_axes() {
     crate::assert_close(turning!(pin(x)), [1.0, 0.0, 0.0]);
     crate::assert_close(turning!(pin(y)), [0.0, 1.0, 0.0]);
     crate::assert_close(turning!(pin(z)), [0.0, 0.0, 1.0]);
@@ -205,7 +205,7 @@ fn methods_agree() {
 
 /// Without gravity, start values and torques all is zero, and nothing moves.
 #[test]
-fn what_is_left_away_is_zero() {
+fn omitted_values_are_zero() {
     mstmm_chain! {
         chain Still {
             body Link {

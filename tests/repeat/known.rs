@@ -21,7 +21,7 @@ mstmm_chain! {
 
 /// A number on which no acceleration depends is still tested, in every repetition.
 #[test]
-fn what_is_not_finite_is_found_where_nothing_depends_on_it() {
+fn unused_values_that_are_not_finite_are_found() {
     let carts = Carts::<f64>::new();
     let inputs = carts.no_inputs();
     for place in 0..4 {

@@ -96,7 +96,7 @@ fn pins_accelerate_as_is_reported() {
 
 /// (1): the compiler's rotation by Bryan angles is the printed matrix.
 #[test]
-fn bryan_angles_turn_as_the_printed_matrix() {
+fn bryan_angles_equal_the_printed_matrix() {
     let mut random = Random::new(7);
     for _ in 0..CASES {
         let angles = Vector3::from_fn(|_, _| random.between(-1.5, 1.5));

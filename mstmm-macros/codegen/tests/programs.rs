@@ -16,20 +16,23 @@ use mstmm_reference::{Random, Recipe, random_mechanism, random_motion};
 
 /// Returns the results at a point, in inertial axes.
 fn numbers(point: &Point<Structured<f64>>, dimension: Dimension) -> Vec<f64> {
-    let (shifts, turns) = (dimension.shifts(), dimension.turns());
+    let (translations, rotations) = (dimension.translations(), dimension.rotations());
     let pick = |vector: Vec3<Structured<f64>>, axes: &[usize]| -> Vec<f64> {
         axes.iter().map(|&axis| vector[axis].value()).collect()
     };
     let rotation = point.rotation.transposed().0.map(Vec3);
     [
-        pick(point.position, shifts),
-        rotation[..dimension.columns()].iter().flat_map(|&column| pick(column, shifts)).collect(),
-        pick(point.velocity, shifts),
-        pick(point.omega, turns),
-        pick(point.acceleration.linear, shifts),
-        pick(point.acceleration.angular, turns),
-        pick(point.moment, turns),
-        pick(point.force, shifts),
+        pick(point.position, translations),
+        rotation[..dimension.columns()]
+            .iter()
+            .flat_map(|&column| pick(column, translations))
+            .collect(),
+        pick(point.velocity, translations),
+        pick(point.omega, rotations),
+        pick(point.acceleration.linear, translations),
+        pick(point.acceleration.angular, rotations),
+        pick(point.moment, rotations),
+        pick(point.force, translations),
     ]
     .concat()
 }

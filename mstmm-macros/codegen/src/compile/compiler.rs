@@ -217,7 +217,7 @@ impl<'a> ChainCompiler<'a> {
         let felt = |&axis: &usize| {
             if results.z { report.base_acceleration[axis] } else { Expr::Number(0.0) }
         };
-        let at_rest: Vec<Expr> = self.chain.dimension.shifts().iter().map(felt).collect();
+        let at_rest: Vec<Expr> = self.chain.dimension.translations().iter().map(felt).collect();
         outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
         Traced { function: Function { outputs, pivots, ..function }, storage: Some(storage) }
     }

@@ -116,18 +116,18 @@ impl<'g> PointAllocator<'g> {
         dimension: Dimension,
         results: Results,
     ) -> StoredPoint {
-        let (shifts, turns) = (dimension.shifts(), dimension.turns());
+        let (translations, rotations) = (dimension.translations(), dimension.rotations());
         let seen = [
-            (results.velocities, &point.velocity, shifts),
-            (results.velocities, &point.omega, turns),
-            (results.z, &point.proper_acceleration, shifts),
-            (results.z, &point.angular_acceleration, turns),
-            (results.z, &point.moment, turns),
-            (results.z, &point.force, shifts),
+            (results.velocities, &point.velocity, translations),
+            (results.velocities, &point.omega, rotations),
+            (results.z, &point.proper_acceleration, translations),
+            (results.z, &point.angular_acceleration, rotations),
+            (results.z, &point.moment, rotations),
+            (results.z, &point.force, translations),
         ];
         let (position, orientation) = if results.poses {
             let columns = point.rotation.transposed().0;
-            (self.vector(point.position.0, shifts), self.axes(columns, dimension))
+            (self.vector(point.position.0, translations), self.axes(columns, dimension))
         } else {
             (StoredVector::default(), None)
         };
@@ -148,11 +148,11 @@ impl<'g> PointAllocator<'g> {
         chain: &Chain,
         numbers: &SymbolValues<Expr<'g>>,
     ) -> Vec<Option<StoredVector>> {
-        let shifts = chain.dimension.shifts();
+        let translations = chain.dimension.translations();
         let all = body.own_points().map(|position| {
-            let changes = shifts.iter().any(|&axis| position[axis].changes());
+            let changes = translations.iter().any(|&axis| position[axis].changes());
             let kept = changes && chain.results.poses;
-            kept.then(|| self.vector(numbers.vector(position).0, shifts))
+            kept.then(|| self.vector(numbers.vector(position).0, translations))
         });
         all.collect()
     }
@@ -181,9 +181,10 @@ impl<'g> PointAllocator<'g> {
             column.iter().enumerate().all(|(i, x)| x.known() == Some(one(i)))
         };
         let inertial = columns.iter().enumerate().all(is_unit);
-        let (count, shifts) = (dimension.columns(), dimension.shifts());
-        (!inertial && count > 0)
-            .then(|| columns[..count].iter().map(|&column| self.vector(column, shifts)).collect())
+        let (count, translations) = (dimension.columns(), dimension.translations());
+        (!inertial && count > 0).then(|| {
+            columns[..count].iter().map(|&column| self.vector(column, translations)).collect()
+        })
     }
 
     /// Stores a vector's components along some axes.

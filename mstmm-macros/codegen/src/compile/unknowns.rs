@@ -65,12 +65,13 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
         axes.iter().map(|&axis| format!("{name}_{}", AXES[axis])).collect()
     };
     match input.what {
-        InputKind::Gravity => along("gravity", chain.dimension.shifts()),
-        InputKind::Force(load) => {
-            along(&format!("{}_force", text(&chain.loads[load].name)), chain.dimension.shifts())
-        }
+        InputKind::Gravity => along("gravity", chain.dimension.translations()),
+        InputKind::Force(load) => along(
+            &format!("{}_force", text(&chain.loads[load].name)),
+            chain.dimension.translations(),
+        ),
         InputKind::Torque(load) => {
-            along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.turns())
+            along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.rotations())
         }
         InputKind::Efforts(hinge) => {
             let name = text(&chain.hinges[hinge].name);

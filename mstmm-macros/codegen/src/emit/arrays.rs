@@ -49,25 +49,25 @@ impl EmitContext<'_> {
     /// Returns an expression for a copy of a segment outside of repeated parts.
     pub fn segment(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
-        let [count, place] = [segment.count, segment.offset].map(usize_literal);
-        quote!(#mstmm::generated::segment::<_, #count, #place>(&#array))
+        let [count, offset] = [segment.count, segment.offset].map(usize_literal);
+        quote!(#mstmm::generated::segment::<_, #count, #offset>(&#array))
     }
 
     /// Returns an expression for the repetitions of a segment.
     pub fn slices(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
-        let [count, place, repetitions] =
+        let [count, offset, repetitions] =
             [segment.count, segment.offset, segment.repetitions].map(usize_literal);
-        quote!(#mstmm::generated::chunks::<_, #count, #place, #repetitions>(&#array))
+        quote!(#mstmm::generated::chunks::<_, #count, #offset, #repetitions>(&#array))
     }
 
     /// Returns an expression for mutable references to the repetitions of a segment.
     pub fn slices_mut(&self, array: &impl ToTokens, segment: &Segment) -> TokenStream {
         let mstmm = &self.mstmm;
-        let [count, place, repetitions] =
+        let [count, offset, repetitions] =
             [segment.count, segment.offset, segment.repetitions].map(usize_literal);
         quote! {
-            #mstmm::generated::chunks_mut::<_, #count, #place, #repetitions>(&mut #array)
+            #mstmm::generated::chunks_mut::<_, #count, #offset, #repetitions>(&mut #array)
         }
     }
 }

@@ -25,7 +25,7 @@ fn own(cx: &EmitContext, body: &Body) -> TokenStream {
         " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
         body.type_name, cx.chain.name
     );
-    let shifts = usize_literal(cx.chain.dimension.shifts().len());
+    let translations = usize_literal(cx.chain.dimension.translations().len());
     let (names, fields): (Vec<_>, Vec<_>) =
         body.points.iter().map(|NamedPoint { name, .. }| (name, field(name))).unzip();
     let docs = names.iter().map(|name| format!(" Returns the motion of the point `{name}`."));
@@ -35,7 +35,7 @@ fn own(cx: &EmitContext, body: &Body) -> TokenStream {
         #[allow(dead_code, non_snake_case, non_camel_case_types)]
         #visibility struct #name<T> {
             common_: #common,
-            #(#fields: [T; #shifts],)*
+            #(#fields: [T; #translations],)*
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -90,16 +90,16 @@ pub fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
 /// the index of its input among all points.
 pub fn result(
     cx: &EmitContext,
-    (body, place): (BodyId, usize),
+    (body, route_index): (BodyId, usize),
     first: &impl ToTokens,
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
     let body = &cx.chain.bodies[body];
-    let changing = &cx.compiled.point_storage.points[place].changing;
-    let mut vectors = body.own_points().zip(changing).map(|(position, place)| match place {
-        Some(place) => {
-            let place = point_access::literal(place);
-            quote!(self.vector_(#first, #place))
+    let changing = &cx.compiled.point_storage.points[route_index].changing;
+    let mut vectors = body.own_points().zip(changing).map(|(position, stored)| match stored {
+        Some(stored) => {
+            let stored = point_access::literal(stored);
+            quote!(self.vector_(#first, #stored))
         }
         None => fixed(cx, position),
     });
@@ -114,7 +114,7 @@ pub fn result(
 
 /// Returns a vector whose entries no parameter changes; an entry that a parameter changes is never read and is zero.
 fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
-    let entries = cx.chain.dimension.shifts().iter().map(|&axis| match &position[axis] {
+    let entries = cx.chain.dimension.translations().iter().map(|&axis| match &position[axis] {
         value if value.changes() => quote!(T::constant(0.0)),
         value => {
             let value = value_tokens(cx, value);

@@ -113,11 +113,11 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
 
 /// Returns an entry of an argument, outside of repeated parts.
 fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
-    let place = usize_literal(entry);
+    let index = usize_literal(entry);
     match printer.procedure.arrays[array].role {
         ArrayRole::Argument(Argument::Time) => quote!(state_.t),
-        ArrayRole::Argument(Argument::Coordinates) => quote!(state_.q.data.0[0][#place]),
-        ArrayRole::Argument(Argument::Rates) => quote!(state_.v.data.0[0][#place]),
+        ArrayRole::Argument(Argument::Coordinates) => quote!(state_.q.data.0[0][#index]),
+        ArrayRole::Argument(Argument::Rates) => quote!(state_.v.data.0[0][#index]),
         _ => bug!("only entries of time, coordinates and rates are tested"),
     }
 }

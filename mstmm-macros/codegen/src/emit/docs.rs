@@ -101,7 +101,7 @@ fn mobility(cx: &EmitContext) -> Vec<String> {
 /// Returns the route as written, without arguments.
 fn route(cx: &EmitContext) -> String {
     let chain = cx.chain;
-    let end = |place: &Attachment| match place {
+    let end = |attachment: &Attachment| match attachment {
         Attachment::Ground(_) => Some("ground".to_owned()),
         Attachment::Input(body) | Attachment::Output(body) => {
             let body = &chain.bodies[*body];
@@ -115,15 +115,15 @@ fn route(cx: &EmitContext) -> String {
     let start =
         hinge(chain.route.first()).and_then(|hinge| end(chain.before_boundary(&hinge.inboard)));
     let finish = hinge(chain.route.last()).and_then(|hinge| end(&hinge.outboard));
-    let elements = chain.route.iter().enumerate().map(|(place, element)| {
+    let elements = chain.route.iter().enumerate().map(|(route_index, element)| {
         let name = match *element {
             Element::Body(index) => chain.bodies[index].name.to_string(),
             Element::Hinge(index) => {
                 format!("{} {}", chain.hinges[index].kind.spec().word, chain.hinges[index].name)
             }
         };
-        let begins = chain.repeats.iter().find(|repeat| repeat.route.start == place);
-        let ends = chain.repeats.iter().any(|repeat| repeat.route.end == place + 1);
+        let begins = chain.repeats.iter().find(|repeat| repeat.route.start == route_index);
+        let ends = chain.repeats.iter().any(|repeat| repeat.route.end == route_index + 1);
         let begin = begins.map_or(String::new(), |repeat| format!("repeat {} {{ ", repeat.count));
         format!("{begin}{name}{}", if ends { " }" } else { "" })
     });

@@ -39,11 +39,11 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     lines.extend(triad(drawing.chain.dimension, &camera));
     let elements = drawing.chain.route.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
-    lines.extend(bodies.map(|(place, _)| body(drawing, &camera, place)));
+    lines.extend(bodies.map(|(route_index, _)| body(drawing, &camera, route_index)));
     lines.extend(ends(drawing, &camera));
-    lines.extend(elements.filter_map(|(place, element)| match element {
+    lines.extend(elements.filter_map(|(route_index, element)| match element {
         Element::Hinge(index) => {
-            Some(hinge(drawing, &camera, place, &drawing.chain.hinges[*index]))
+            Some(hinge(drawing, &camera, route_index, &drawing.chain.hinges[*index]))
         }
         Element::Body(_) => None,
     }));
@@ -121,13 +121,14 @@ fn triad(dimension: Dimension, camera: &Camera) -> Vec<String> {
             y + down * 1.5 + 3.0
         )
     };
-    dimension.shifts().iter().map(arrow).collect()
+    dimension.translations().iter().map(arrow).collect()
 }
 
 /// Draws a body: a bar from its input to its output, and a dot at its centre of mass.
-fn body(drawing: &Drawing, camera: &Camera, place: usize) -> String {
-    let [input, output] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
-    let centre = camera.project(&drawing.centres[place]);
+fn body(drawing: &Drawing, camera: &Camera, route_index: usize) -> String {
+    let [input, output] =
+        [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
+    let centre = camera.project(&drawing.centres[route_index]);
     format!(
         " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
          <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
@@ -151,9 +152,9 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     };
     let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
     let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
-    let end = |(place, point): (&Attachment, usize)| {
+    let end = |(attachment, point): (&Attachment, usize)| {
         let [x, y] = camera.project(&drawing.points[point]);
-        let dashes = match place {
+        let dashes = match attachment {
             Attachment::Ground(_) => "",
             Attachment::Input(_) | Attachment::Output(_) => " stroke-dasharray=\"3 3\"",
         };
@@ -169,8 +170,9 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
 
 /// Draws a hinge: a line between its frames, and a symbol for its degrees of freedom: a ring for rotations about axes, a
 /// disc for a ball, a box if it translates, a cross for a weld.
-fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> String {
-    let [inboard, outboard] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
+fn hinge(drawing: &Drawing, camera: &Camera, route_index: usize, hinge: &Hinge) -> String {
+    let [inboard, outboard] =
+        [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
@@ -189,7 +191,7 @@ fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> Str
             y - 5.0
         ),
     };
-    let way = match inboard == outboard {
+    let line = match inboard == outboard {
         true => String::new(),
         false => format!(
             "<path d=\"M{}L{}\" stroke=\"currentColor\" stroke-dasharray=\"4 3\"/>",
@@ -197,7 +199,7 @@ fn hinge(drawing: &Drawing, camera: &Camera, place: usize, hinge: &Hinge) -> Str
             text(outboard)
         ),
     };
-    format!(" {way}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
+    format!(" {line}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
 }
 
 /// The label of an element.
@@ -227,8 +229,8 @@ impl Label {
 
 /// Returns the labels: those of bodies near their middle, those of hinges near their symbol.
 fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
-    let name = |(place, element): (usize, &Element)| {
-        let [a, b] = [place, place + 1].map(|end| camera.project(&drawing.points[end]));
+    let name = |(route_index, element): (usize, &Element)| {
+        let [a, b] = [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
         match *element {
             Element::Body(index) => Label {
                 text: drawing.chain.bodies[index].name.to_string(),

@@ -43,7 +43,7 @@ impl Sign {
     pub fn drawn(self, [left, middle]: [f64; 2]) -> String {
         let [x, y] = [left + ROOM / 2.0, middle];
         let (sign, [right, down]) = match self {
-            Sign::Across(way) => (arrow([x, y], way), beside(way)),
+            Sign::Across(direction) => (arrow([x, y], direction), label_offset(direction)),
             Sign::Towards => {
                 let dot = format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\"/>");
                 (ring([x, y]) + &dot, [18.0, 0.0])
@@ -70,7 +70,8 @@ impl Sign {
 /// Draws an arrow with its middle at this position.
 fn arrow([x, y]: [f64; 2], [right, down]: [f64; 2]) -> String {
     let length = right.hypot(down);
-    let [along, across] = [[right, down], [-down, right]].map(|way| way.map(|part| part / length));
+    let [along, across] =
+        [[right, down], [-down, right]].map(|direction| direction.map(|part| part / length));
     let stroke = |side: f64| [0, 1].map(|k| HEAD * (-0.87 * along[k] + side * 0.5 * across[k]));
     let [[left_x, left_y], [right_x, right_y]] = [stroke(1.0), stroke(-1.0)];
     format!(
@@ -84,7 +85,7 @@ fn arrow([x, y]: [f64; 2], [right, down]: [f64; 2]) -> String {
 }
 
 /// Returns the offset of the letter: to the right of an arrow, above a horizontal one.
-fn beside([right, down]: [f64; 2]) -> [f64; 2] {
+fn label_offset([right, down]: [f64; 2]) -> [f64; 2] {
     let distance = 13.0 / right.hypot(down);
     let across = [down * distance, -right * distance];
     let turned = across[0] < -1e-9 || (across[0].abs() <= 1e-9 && across[1] > 0.0);
@@ -125,7 +126,7 @@ mod tests {
     }
 
     /// The direction to the right and down, of unit length.
-    fn way(drawing: &Drawing) -> [f64; 2] {
+    fn direction(drawing: &Drawing) -> [f64; 2] {
         let Some(Sign::Across([right, down])) = sign(drawing) else { panic!("no arrow") };
         [right, down].map(|part| part / right.hypot(down))
     }
@@ -139,20 +140,20 @@ mod tests {
     #[test]
     fn gravity_points_down_along_each_axis() {
         for gravity in ["[-9.8, 0, 0]", "[0, -9.8, 0]", "[0, 0, -9.8]", "[0, 0, -1e-300]"] {
-            assert_near(way(&in_space(&format!("gravity = {gravity};"), "")), [0.0, 1.0]);
+            assert_near(direction(&in_space(&format!("gravity = {gravity};"), "")), [0.0, 1.0]);
         }
-        assert_near(way(&in_space("gravity = [0, 0, 9.8];", "")), [0.0, -1.0]);
+        assert_near(direction(&in_space("gravity = [0, 0, 9.8];", "")), [0.0, -1.0]);
     }
 
     /// As far across as down: on the picture y leads to the right and down by 30°.
     #[test]
     fn gravity_that_is_tilted_points_where_the_axes_are_drawn() {
         let tilted = in_space("gravity = [0, 5, -5 - 1e-9];", "");
-        assert_near(way(&tilted), [0.5, 0.866]);
+        assert_near(direction(&tilted), [0.5, 0.866]);
         let by_parameter = in_space("gravity = [sin(tilt), 0, -cos(tilt)];", "");
         let (across, down) = (0.5 * 0.866, 0.5 * 0.5 + 0.866);
         let length = f64::hypot(across, down);
-        assert_near(way(&by_parameter), [-across / length, down / length]);
+        assert_near(direction(&by_parameter), [-across / length, down / length]);
     }
 
     #[test]
@@ -174,10 +175,10 @@ mod tests {
         let plane = "plane chain C { gravity = [3, -4];
             body Rod { mass = 1; com = [1, 0]; inertia = 1 about com; } ground -> pin a -> Rod rod; }";
         assert_eq!(axes(Dimension::Plane, 2), [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]]);
-        assert_near(way(&drawing(plane)), [0.6, 0.8]);
+        assert_near(direction(&drawing(plane)), [0.6, 0.8]);
         let line =
             "line chain C { gravity = -9.8; body Car { mass = 1; } ground -> slider a -> Car b; }";
-        assert_near(way(&drawing(line)), [-1.0, 0.0]);
+        assert_near(direction(&drawing(line)), [-1.0, 0.0]);
     }
 
     /// All that is drawn before it ends to the left of the arrow's room.
@@ -188,15 +189,15 @@ mod tests {
             ground -> repeat 4 { pin a -> Rod rod } -> pin a_hinge_with_a_long_name -> Rod last; }";
         let lines = picture(&drawing(long));
         let arrow = lines.iter().find(|line| line.contains(">g<")).expect("an arrow");
-        let place = |text: &str, before: &str| -> f64 {
-            let (_, rest) = text.split_once(before).expect("a place");
+        let coordinate = |text: &str, before: &str| -> f64 {
+            let (_, rest) = text.split_once(before).expect("a coordinate");
             rest.split([' ', '"']).next().and_then(|x| x.parse().ok()).expect("a number")
         };
-        let width = place(&lines[1], "viewBox=\"0 0 ");
-        let at = place(arrow, "d=\"M");
+        let width = coordinate(&lines[1], "viewBox=\"0 0 ");
+        let at = coordinate(arrow, "d=\"M");
         assert!(at + 28.0 < width, "{arrow}");
         let names = lines.iter().filter(|line| line.contains("a_hinge_with_a_long_name"));
-        let ends = names.map(|name| place(name, "<text x=\"") + 24.0 * 6.0);
+        let ends = names.map(|name| coordinate(name, "<text x=\"") + 24.0 * 6.0);
         assert!(ends.chain([436.0]).all(|end| end < at), "{lines:?}");
     }
 }

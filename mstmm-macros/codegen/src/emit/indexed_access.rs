@@ -147,12 +147,12 @@ pub fn single_accessors(
     let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
     let HingeSegments { q: (q, q_range), v: (v, v_range) } = HingeSegments::of(cx, hinge);
     let read = |(segment, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
-        let [count, place] = [segment.count, segment.offset].map(usize_literal);
+        let [count, offset] = [segment.count, segment.offset].map(usize_literal);
         let names = (0..segment.count).map(|k| {
             if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
         });
         quote! {
-            let [#(#names),*] = #mstmm::generated::segment::<_, #count, #place>(&#array);
+            let [#(#names),*] = #mstmm::generated::segment::<_, #count, #offset>(&#array);
         }
     };
     let (read_q, read_v) =
@@ -201,22 +201,22 @@ pub fn single_accessors(
 
 /// Returns the index of an element's input point among all points in the first repetition, and the number of points from one
 /// repetition to the next.
-pub fn points_of(cx: &EmitContext, place: usize) -> (usize, usize) {
+pub fn points_of(cx: &EmitContext, route_index: usize) -> (usize, usize) {
     let layout = cx.points();
-    let segment = layout.segment_of(place + 1);
-    (segment.offset + place - segment.first, segment.count)
+    let segment = layout.segment_of(route_index + 1);
+    (segment.offset + route_index - segment.first, segment.count)
 }
 
 /// Returns the method for the results of a repeated body.
-pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> TokenStream {
+pub fn body(cx: &EmitContext, (index, route_index): (BodyId, usize), count: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let contents = body::contents(body);
     let doc = format!(
         " Returns the results at body `{name}` in repetition `index` of {count}: {contents}."
     );
-    let (ends, ty) = (ends(cx, place, count), body::type_of(cx, body));
-    let result = body::result(cx, (index, place), &quote!(first_));
+    let (ends, ty) = (ends(cx, route_index, count), body::type_of(cx, body));
+    let result = body::result(cx, (index, route_index), &quote!(first_));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -231,7 +231,11 @@ pub fn body(cx: &EmitContext, (index, place): (BodyId, usize), count: usize) -> 
 }
 
 /// Returns the method for the results of a repeated hinge.
-pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -> TokenStream {
+pub fn hinge(
+    cx: &EmitContext,
+    (index, route_index): (HingeId, usize),
+    count: usize,
+) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[index].name;
     let (visibility, point) = (&cx.passthrough.visibility, point_type(cx));
@@ -263,7 +267,7 @@ pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -
     let doc = format!(
         " Returns acceleration, effort, input and output of hinge `{name}` in repetition `index` of {count}."
     );
-    let ends = ends(cx, place, count);
+    let ends = ends(cx, route_index, count);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -279,8 +283,8 @@ pub fn hinge(cx: &EmitContext, (index, place): (HingeId, usize), count: usize) -
 }
 
 /// Returns statements that bind `input` and `output` of a repeated element.
-fn ends(cx: &EmitContext, place: usize, count: usize) -> TokenStream {
-    let (first, stride) = points_of(cx, place);
+fn ends(cx: &EmitContext, route_index: usize, count: usize) -> TokenStream {
+    let (first, stride) = points_of(cx, route_index);
     let [first, stride, count] = [first, stride, count].map(usize_literal);
     quote! {
         if index_ >= #count {

@@ -69,8 +69,8 @@ fn doc_of(cx: &EmitContext, input: &Input) -> String {
         InputKind::Gravity => " The acceleration of free fall in m/s², inertial frame.".to_owned(),
         InputKind::Efforts(index) => {
             let Hinge { name, kind, .. } = &cx.chain.hinges[index];
-            let unit = |turns: bool| if turns { "N m" } else { "N" };
-            let units: Vec<&str> = kind.spec().groups.iter().map(|g| unit(g.turns)).collect();
+            let unit = |rotational: bool| if rotational { "N m" } else { "N" };
+            let units: Vec<&str> = kind.spec().groups.iter().map(|g| unit(g.rotational)).collect();
             let unit = units.join(", ");
             format!(" The efforts of the motor of `{name}` in {unit}, in the order of its rates.")
         }

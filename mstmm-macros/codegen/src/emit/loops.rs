@@ -150,8 +150,8 @@ pub fn fill(printer: &Printer, to: &ArraySlice, values: &[Option<Operand>]) -> T
     }
 }
 
-fn segment<'a>(printer: &'a Printer, place: &ArraySlice) -> &'a Segment {
-    &printer.array(place).layout.segments[place.segment]
+fn segment<'a>(printer: &'a Printer, slice: &ArraySlice) -> &'a Segment {
+    &printer.array(slice).layout.segments[slice.segment]
 }
 
 /// Returns the names of the entries that are written, and the statements that write them.

@@ -30,7 +30,7 @@ pub fn of_state(cx: &EmitContext) -> Vec<String> {
                 format!(", repetition k of {}", cx.chain.repeats[repeat].count)
             });
             let [in_q, in_v] = [(&q, &cx.layout.q[hinge]), (&v, &cx.layout.v[hinge])]
-                .map(|(layout, range)| places(layout, range));
+                .map(|(layout, range)| indices(layout, range));
             Some(format!(" | `{name}`{times} | {} | {} |", in_q?, in_v?))
         })
         .collect();
@@ -45,18 +45,18 @@ pub fn of_state(cx: &EmitContext) -> Vec<String> {
 }
 
 /// Returns the indices of a hinge's entries in an array.
-fn places(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
+fn indices(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
     if range.is_empty() {
         return None;
     }
     let segment = layout.segment_of(range.start);
     let first = segment.offset + range.start - segment.first;
     let last = first + range.len() - 1;
-    let places = if first == last { first.to_string() } else { format!("{first} to {last}") };
+    let indices = if first == last { first.to_string() } else { format!("{first} to {last}") };
     Some(match (segment.repeat, segment.count) {
-        (None, _) => places,
-        (Some(_), 1) => format!("{places} (+ k)"),
-        (Some(_), stride) => format!("{places} (+ {stride} k)"),
+        (None, _) => indices,
+        (Some(_), 1) => format!("{indices} (+ k)"),
+        (Some(_), stride) => format!("{indices} (+ {stride} k)"),
     })
 }
 

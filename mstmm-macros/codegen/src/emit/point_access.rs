@@ -58,17 +58,17 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
     let mstmm = &cx.mstmm;
     let mut changing = cx.compiled.point_storage.points.iter().flat_map(|point| &point.changing);
     changing.any(Option::is_some).then(|| {
-        let shifts = usize_literal(cx.chain.dimension.shifts().len());
+        let translations = usize_literal(cx.chain.dimension.translations().len());
         let located = located(cx);
         quote! {
-            /// The vector at a place among the numbers of connection point number `index`.
+            /// The vector at an offset among the numbers of connection point number `index`.
             #[#inline]
             #[allow(unused_variables)]
             fn vector_(
                 &self,
                 index_: ::core::primitive::usize,
                 place_: ::core::primitive::u32,
-            ) -> [T; #shifts] {
+            ) -> [T; #translations] {
                 #located
                 #mstmm::generated::vector_at(numbers_, place_)
             }
@@ -92,12 +92,12 @@ fn located(cx: &EmitContext) -> TokenStream {
     }
     let mstmm = &cx.mstmm;
     let points = cx.points();
-    let mut place = 0;
+    let mut offset = 0;
     // Segments without values count as well: points of the ground may have none.
     let segments =
         points.segments.iter().zip(&cx.compiled.point_storage.segments).map(|(points, segment)| {
-            let (count, first) = (segment.0, place);
-            place += count * points.repetitions;
+            let (count, first) = (segment.0, offset);
+            offset += count * points.repetitions;
             let entries = [
                 points.first,
                 points.count,
@@ -134,6 +134,6 @@ fn entry(cx: &EmitContext, point: &StoredPoint) -> TokenStream {
 }
 
 /// Returns a stored vector in the encoding of the runtime.
-pub fn literal(place: &StoredVector) -> Literal {
-    usize_literal(place.first)
+pub fn literal(vector: &StoredVector) -> Literal {
+    usize_literal(vector.first)
 }

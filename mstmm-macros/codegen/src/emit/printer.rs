@@ -79,8 +79,8 @@ impl Printer<'_> {
     }
 
     /// Returns the array of a slice.
-    pub fn array(&self, place: &ArraySlice) -> &Array {
-        &self.procedure.arrays[place.array]
+    pub fn array(&self, slice: &ArraySlice) -> &Array {
+        &self.procedure.arrays[slice.array]
     }
 
     pub fn destination(&self, array: ArrayId) -> &Destination {

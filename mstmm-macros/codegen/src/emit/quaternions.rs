@@ -18,9 +18,9 @@ fn quaternion_of(kind: &HingeKind) -> Option<usize> {
 fn in_state(cx: &EmitContext) -> Vec<(HingeId, usize)> {
     let hinges = cx.chain.hinges.enumerate();
     let free = hinges.filter(|(_, hinge)| !hinge.is_prescribed());
-    let place =
+    let first_coordinate =
         |index: HingeId, kind| quaternion_of(kind).map(|first| cx.layout.q[index].start + first);
-    free.filter_map(|(index, hinge)| Some((index, place(index, &hinge.kind)?))).collect()
+    free.filter_map(|(index, hinge)| Some((index, first_coordinate(index, &hinge.kind)?))).collect()
 }
 
 /// Returns the prescribed motions with a quaternion.
@@ -67,11 +67,17 @@ pub fn checks(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the row of a hinge in the table of quaternions.
-fn row(cx: &EmitContext, layout: &ArrayLayout, (index, place): (HingeId, usize)) -> TokenStream {
+fn row(
+    cx: &EmitContext,
+    layout: &ArrayLayout,
+    (index, first_coordinate): (HingeId, usize),
+) -> TokenStream {
     let mstmm = &cx.mstmm;
     let hinge = cx.chain.hinges[index].name.to_string();
-    let &Segment { first, count, offset: start, repetitions: times, .. } = layout.segment_of(place);
-    let [first, stride, count] = [start + place - first, count, times].map(usize_literal);
+    let &Segment { first, count, offset: start, repetitions: times, .. } =
+        layout.segment_of(first_coordinate);
+    let [first, stride, count] =
+        [start + first_coordinate - first, count, times].map(usize_literal);
     quote! {
         #mstmm::generated::HingeQuaternions {
             hinge: #hinge,

@@ -223,8 +223,8 @@ impl<'a> Writer<'a> {
     }
 
     fn separated<T>(&mut self, items: &[T], write: impl Fn(&mut Self, &T)) {
-        for (place, item) in items.iter().enumerate() {
-            if place > 0 {
+        for (index, item) in items.iter().enumerate() {
+            if index > 0 {
                 self.sign(',');
             }
             write(self, item);

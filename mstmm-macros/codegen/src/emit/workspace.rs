@@ -18,8 +18,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let dof_count = usize_literal(cx.rates().total);
     let point_count = usize_literal(cx.points().total);
     let number_count = usize_literal(cx.numbers_of_points().total);
-    let shifts = usize_literal(cx.chain.dimension.shifts().len());
-    let places = point_access::emit(cx);
+    let translations = usize_literal(cx.chain.dimension.translations().len());
+    let point_access = point_access::emit(cx);
     let (all_points, order) = (point_access::all(cx), orders::of_points(cx));
     let [initial_numbers, initial_at_rest] =
         [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| initial_values::array(cx, id));
@@ -46,14 +46,14 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         shown: closure_shown,
     } = closure;
     let (text, body_types) = (name.to_string(), body::types(cx));
-    let elements = cx.chain.route.iter().enumerate().map(|(place, element)| match *element {
+    let elements = cx.chain.route.iter().enumerate().map(|(route_index, element)| match *element {
         Element::Body(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, place),
-            count => indexed_access::body(cx, (index, place), count),
+            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, route_index),
+            count => indexed_access::body(cx, (index, route_index), count),
         },
         Element::Hinge(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, place),
-            count => indexed_access::hinge(cx, (index, place), count),
+            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, route_index),
+            count => indexed_access::hinge(cx, (index, route_index), count),
         },
     });
     quote! {
@@ -67,7 +67,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #energy_fields
             #closure_field
             numbers: [T; #number_count],
-            at_rest: [T; #shifts],
+            at_rest: [T; #translations],
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -85,7 +85,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 #all_points
             }
 
-            #places
+            #point_access
 
             #closure_method
 
@@ -212,13 +212,13 @@ fn closure(cx: &EmitContext) -> ClosureItems {
     }
 }
 
-fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
+fn body(cx: &EmitContext, index: BodyId, route_index: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let doc = format!(" Returns the results at body `{name}`: {}.", body::contents(body));
-    let (first, _) = indexed_access::points_of(cx, place);
-    let (ends, ty) = (ends(cx, place), body::type_of(cx, body));
-    let result = body::result(cx, (index, place), &usize_literal(first));
+    let (first, _) = indexed_access::points_of(cx, route_index);
+    let (ends, ty) = (ends(cx, route_index), body::type_of(cx, body));
+    let result = body::result(cx, (index, route_index), &usize_literal(first));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -229,7 +229,7 @@ fn body(cx: &EmitContext, index: BodyId, place: usize) -> TokenStream {
     }
 }
 
-fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
+fn hinge(cx: &EmitContext, index: HingeId, route_index: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let Hinge { name, kind, .. } = &cx.chain.hinges[index];
     let visibility = &cx.passthrough.visibility;
@@ -242,7 +242,7 @@ fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
     };
     let (acceleration, effort) = (of(&cx.rate_accelerations()), of(&format_ident!("efforts")));
     let doc = format!(" Returns acceleration, effort, input and output of hinge `{name}`.");
-    let (ends, point) = (ends(cx, place), point_type(cx));
+    let (ends, point) = (ends(cx, route_index), point_type(cx));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -253,9 +253,9 @@ fn hinge(cx: &EmitContext, index: HingeId, place: usize) -> TokenStream {
     }
 }
 
-/// Returns a statement that binds `input` and `output` of the element at `place` on the route.
-fn ends(cx: &EmitContext, place: usize) -> TokenStream {
-    let (first, _) = indexed_access::points_of(cx, place);
+/// Returns a statement that binds `input` and `output` of the element at `route_index` on the route.
+fn ends(cx: &EmitContext, route_index: usize) -> TokenStream {
+    let (first, _) = indexed_access::points_of(cx, route_index);
     let [input, output] = [first, first + 1].map(usize_literal);
     quote!(let (input_, output_) = (self.point_(#input), self.point_(#output));)
 }
@@ -279,7 +279,7 @@ fn numbers(cx: &EmitContext, range: &Range<usize>, field: &Ident) -> TokenStream
     let mstmm = &cx.mstmm;
     let layout = cx.all_rates();
     let segment = layout.segment_of(range.start);
-    let place = segment.offset + range.start - segment.first;
-    let [count, place] = [range.len(), place].map(usize_literal);
-    quote!(#mstmm::generated::segment::<_, #count, #place>(&self.#field))
+    let offset = segment.offset + range.start - segment.first;
+    let [count, offset] = [range.len(), offset].map(usize_literal);
+    quote!(#mstmm::generated::segment::<_, #count, #offset>(&self.#field))
 }

@@ -5,7 +5,7 @@ use crate::model::{Attachment, Element, HingeId};
 
 /// The location of a connection point.
 pub struct ConnectionPoint {
-    pub place: Attachment,
+    pub attachment: Attachment,
     /// The hinge at the point, if there is one, and whether the point is on its outboard side.
     pub hinge: Option<(HingeId, bool)>,
 }
@@ -24,12 +24,12 @@ pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
             None => points.push(point),
         };
     // At the boundary of a repeated part, the wrench is that of the weld at the boundary.
-    let side = |hinge: HingeId, place: &Attachment, outboard: bool| {
-        let weld = chain.repeat_boundary(place).map(|seam| chain.weld_of(seam));
+    let side = |hinge: HingeId, attachment: &Attachment, outboard: bool| {
+        let weld = chain.repeat_boundary(attachment).map(|seam| chain.weld_of(seam));
         weld.map_or(
-            ConnectionPoint { place: place.clone(), hinge: Some((hinge, outboard)) },
+            ConnectionPoint { attachment: attachment.clone(), hinge: Some((hinge, outboard)) },
             |weld| ConnectionPoint {
-                place: chain.hinges[weld].inboard.clone(),
+                attachment: chain.hinges[weld].inboard.clone(),
                 hinge: Some((weld, false)),
             },
         )
@@ -46,8 +46,8 @@ pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
                     hinge.inboard == output && chain.repeat_boundary(&hinge.outboard).is_some()
                 });
                 (
-                    ConnectionPoint { place: Attachment::Input(index), hinge: None },
-                    ConnectionPoint { place: output, hinge: last.map(|weld| (weld, false)) },
+                    ConnectionPoint { attachment: Attachment::Input(index), hinge: None },
+                    ConnectionPoint { attachment: output, hinge: last.map(|weld| (weld, false)) },
                 )
             }
         };

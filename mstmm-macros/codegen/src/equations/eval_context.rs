@@ -124,7 +124,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             None => identity,
             Some(other) => known[other].ok_or(other)?,
         };
-        let (from, to) = (self.values.place(self.chain, from), self.values.place(self.chain, to));
+        let (from, to) =
+            (self.values.local_frame(self.chain, from), self.values.local_frame(self.chain, to));
         let (origin, rotation) = compose(outer, from);
         let rotation = rotation * to.1.transposed();
         Ok((origin - rotation * to.0, rotation))
@@ -132,9 +133,9 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
 
     /// Returns the part that an attachment belongs to, with the origin and rotation of the
     /// attachment: in the frame of the part, or in the inertial frame if the part is the ground.
-    pub fn place(&self, place: &Attachment) -> (MovesWith, Vec3<S>, Mat3<S>) {
-        let local = self.values.place(self.chain, place);
-        match place.body() {
+    pub fn frame_of(&self, attachment: &Attachment) -> (MovesWith, Vec3<S>, Mat3<S>) {
+        let local = self.values.local_frame(self.chain, attachment);
+        match attachment.body() {
             None => (MovesWith::Ground, local.0, local.1),
             Some(body) => {
                 let (origin, rotation) = compose(self.frames[body], local);
@@ -239,7 +240,7 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// every body.
     pub fn base_acceleration(&self) -> Motion<S> {
         let Chain { gravity, dimension, .. } = self.chain;
-        let gravity = self.vector(gravity, InputKind::Gravity, dimension.shifts());
+        let gravity = self.vector(gravity, InputKind::Gravity, dimension.translations());
         Motion { linear: -gravity, angular: Vec3::zero() }
     }
 }

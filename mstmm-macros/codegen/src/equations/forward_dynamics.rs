@@ -227,7 +227,7 @@ fn loop_reaction<S: Scalar>(
     let loop_hinge = constraints.loop_hinge;
     let part_to_work = loop_hinge.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
     let hinge = &context.chain.hinges[loop_hinge.hinge.id];
-    let (_, _, rotation) = context.place(&hinge.inboard);
+    let (_, _, rotation) = context.frame_of(&hinge.inboard);
     let to_hinge = Rotation::from_matrix(part_to_work * rotation);
     let to_inboard =
         |wrench: Wrench<S>| wrench.rotated(&loop_hinge.hinge.to_parent).rotated_back(&to_hinge);

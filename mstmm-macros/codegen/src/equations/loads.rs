@@ -50,8 +50,8 @@ fn load_wrench<S: Scalar>(
     };
     let vector = |source: &Source, what, axes| to_work * context.vector(source, what, axes);
     let wrench = Wrench {
-        force: vector(&load.force, InputKind::Force(index), dimension.shifts()),
-        moment: vector(&load.torque, InputKind::Torque(index), dimension.turns()),
+        force: vector(&load.force, InputKind::Force(index), dimension.translations()),
+        moment: vector(&load.torque, InputKind::Torque(index), dimension.rotations()),
     };
     wrench.shifted_from(link.part_to_work * (origin - link.point))
 }

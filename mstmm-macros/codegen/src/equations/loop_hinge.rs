@@ -64,8 +64,8 @@ pub fn loop_hinge<S: Scalar>(
         ref all => bug!("{} hinges close a chain", all.len()),
     };
     let Hinge { kind, inboard, outboard, .. } = &context.chain.hinges[index];
-    let (inboard, ..) = context.place(inboard);
-    let (outboard, origin, rotation) = context.place(outboard);
+    let (inboard, ..) = context.frame_of(inboard);
+    let (outboard, origin, rotation) = context.frame_of(outboard);
     let (parent, child) = (link_of(inboard), link_of(outboard));
     let part =
         |link: Option<LinkId>| link.map_or(PartKinematics::ground(), |link| links[link].part());

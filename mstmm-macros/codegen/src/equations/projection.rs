@@ -77,7 +77,7 @@ fn position_error<S: Scalar>(
     poses: &PerLink<Pose<S>>,
 ) -> PositionError<S> {
     let hinge = &context.chain.hinges[loop_hinge.hinge.id];
-    let (_, origin, rotation) = context.place(&hinge.outboard);
+    let (_, origin, rotation) = context.frame_of(&hinge.outboard);
     let aligned_subspace = rotation * hinge.kind.law().alignment(context.values);
     let from = pose_of(loop_hinge.parent, poses);
     let reached = from.position + from.to_inertial * loop_hinge.hinge.arm;

@@ -82,7 +82,7 @@ pub fn report<S: Scalar>(
     let closed = loop_hinge.as_ref().zip(solved.reaction.as_ref()).map(|(loop_hinge, reaction)| {
         let part_to_work =
             loop_hinge.parent.map_or(Mat3::identity(), |link| links[link].part_to_work);
-        let (_, _, rotation) = context.place(&context.chain.hinges[loop_hinge.hinge.id].inboard);
+        let (_, _, rotation) = context.frame_of(&context.chain.hinges[loop_hinge.hinge.id].inboard);
         (loop_hinge, reaction.wrench.rotated(&Rotation::from_matrix(part_to_work * rotation)))
     });
     let wrenches = wrenches(context, &links, &proper_acceleration, swept, closed);
@@ -241,18 +241,18 @@ impl<S: Scalar> HingeWrench<S> {
         link: &LinkKinematics<S>,
         on_child: Wrench<S>,
     ) -> Self {
-        let (place, hinge) = (&context.layout.links[index], link.hinge.clone());
-        let (axes, at_child, offset) = match place.boundary {
+        let (layout, hinge) = (&context.layout.links[index], link.hinge.clone());
+        let (axes, at_child, offset) = match layout.boundary {
             Some(_) => (link.parent, on_child.rotated(&hinge.to_parent), hinge.offset),
             None => (Some(index), on_child, hinge.to_parent.rotate_back(hinge.offset)),
         };
         let at_parent = at_child.shifted_from(offset);
-        let (at_outboard, at_inboard) = if place.reversed {
+        let (at_outboard, at_inboard) = if layout.reversed {
             (at_parent.reversed(), at_child.reversed())
         } else {
             (at_child, at_parent)
         };
-        let concentric_link = (place.boundary.is_none() && hinge.is_concentric()).then_some(index);
+        let concentric_link = (layout.boundary.is_none() && hinge.is_concentric()).then_some(index);
         HingeWrench { hinge, axes, at_outboard, at_inboard, on_child, concentric_link }
     }
 
@@ -309,7 +309,7 @@ struct PointReader<'a, S> {
 
 impl<S: Scalar> PointReader<'_, S> {
     fn point(&self, at: &ConnectionPoint) -> PointState<S> {
-        let (part, origin, rotation) = self.context.place(&at.place);
+        let (part, origin, rotation) = self.context.frame_of(&at.attachment);
         let (force, moment) = self.force_and_moment(at);
         let Some(index) = link_of(part) else {
             let none = self.framed(None, Vec3::zero());

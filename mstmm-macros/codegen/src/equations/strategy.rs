@@ -57,13 +57,13 @@ pub fn uses_base_parameters(method: SolutionMethod, axes: Axes, is_closed: bool)
 pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) -> usize {
     let count = |values: &[S]| values.iter().filter(|x| !x.vanishes()).count();
     let Sym3(entries) = inertia;
-    let [diagonal, beside] = [&entries[..3], &entries[3..]].map(count);
+    let [diagonal, off_diagonal] = [&entries[..3], &entries[3..]].map(count);
     let difference = |(i, j): (usize, usize)| entries[i] - entries[j];
-    let gyroscopic = match beside {
+    let gyroscopic = match off_diagonal {
         0 => 2 * count(&[(0, 1), (0, 2), (1, 2)].map(difference)),
-        _ => 2 * diagonal + 4 * beside + 9,
+        _ => 2 * diagonal + 4 * off_diagonal + 9,
     };
-    let added = 3 * count(&[mass]) + 2 * count(&moment.0) + diagonal + beside;
+    let added = 3 * count(&[mass]) + 2 * count(&moment.0) + diagonal + off_diagonal;
     added + 6 * count(&moment.0) + gyroscopic
 }
 

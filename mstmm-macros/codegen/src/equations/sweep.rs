@@ -84,8 +84,8 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     ) -> (PerLink<B>, PerLink<R>) {
         let mut carried = PerLink::new();
         let mut results = PerLink::new();
-        for (link, place) in self.layout.links.enumerate() {
-            let parent = place.parent.map_or(&base, |parent| &carried[parent]);
+        for (link, layout) in self.layout.links.enumerate() {
+            let parent = layout.parent.map_or(&base, |parent| &carried[parent]);
             let (own, result) = step(link, parent);
             carried.push(self.cross(link, SweepDirection::Outward, own));
             results.push(result);
@@ -107,10 +107,10 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
             bug!("a sweep over {} links starts with {}", self.layout.links.len(), own.len())
         }
         let mut results = Vec::new();
-        for (link, place) in self.layout.links.enumerate().rev() {
+        for (link, layout) in self.layout.links.enumerate().rev() {
             let Some(gathered) = own.pop() else { bug!("a sweep starts without {link:?}") };
             let here = self.cross(link, SweepDirection::Inward, gathered);
-            let parent = place.parent.map_or(&mut base, |parent| &mut own[parent]);
+            let parent = layout.parent.map_or(&mut base, |parent| &mut own[parent]);
             results.push(step(link, here, parent));
         }
         results.reverse();

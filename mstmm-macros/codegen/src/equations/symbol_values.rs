@@ -54,8 +54,8 @@ impl<S: Scalar> SymbolValues<S> {
 
     /// Returns origin and rotation of an attachment, in the frame of its body or in the inertial
     /// frame.
-    pub fn place(&self, chain: &Chain, place: &Attachment) -> (Vec3<S>, Mat3<S>) {
-        match place {
+    pub fn local_frame(&self, chain: &Chain, attachment: &Attachment) -> (Vec3<S>, Mat3<S>) {
+        match attachment {
             Attachment::Ground(frame) => self.frame(frame),
             Attachment::Input(_) => (Vec3::zero(), Mat3::identity()),
             Attachment::Output(body) => self.frame(&chain.bodies[*body].output),

@@ -93,15 +93,15 @@ impl<S: Scalar> Trace<S> {
     /// Names the entries of a matrix.
     pub fn matrix(&mut self, name: &str, Mat3(rows): Mat3<S>) {
         let names = [["xx", "xy", "xz"], ["yx", "yy", "yz"], ["zx", "zy", "zz"]];
-        for (place, value) in names.into_iter().flatten().zip(rows.into_iter().flatten()) {
-            self.entry(name, place, value);
+        for (component, value) in names.into_iter().flatten().zip(rows.into_iter().flatten()) {
+            self.entry(name, component, value);
         }
     }
 
     /// Names the entries of a symmetric matrix.
     pub fn symmetric(&mut self, name: &str, Sym3(values): Sym3<S>) {
-        for (place, value) in ["xx", "yy", "zz", "xy", "xz", "yz"].into_iter().zip(values) {
-            self.entry(name, place, value);
+        for (component, value) in ["xx", "yy", "zz", "xy", "xz", "yz"].into_iter().zip(values) {
+            self.entry(name, component, value);
         }
     }
 

@@ -164,12 +164,12 @@ impl DryRun {
                  give one of them a moment of inertia about it"
             );
         }
-        let turns = match hinge.kind.dof_count() {
+        let axes = match hinge.kind.dof_count() {
             1 => "its axis",
             _ => "one of its axes",
         };
         format!(
-            "the bodies that hinge `{name}` moves have no inertia about {turns}: give one of \
+            "the bodies that hinge `{name}` moves have no inertia about {axes}: give one of \
              them a moment of inertia about it, or the hinge an `armature`"
         )
     }

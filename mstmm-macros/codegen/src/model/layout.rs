@@ -196,9 +196,10 @@ fn consecutive<C: FromIterator<Range<usize>>>(lengths: impl Iterator<Item = usiz
 
 fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
     let mut given: Vec<(InputKind, usize)> = Vec::new();
-    let (shifts, turns) = (chain.dimension.shifts().len(), chain.dimension.turns().len());
+    let (translations, rotations) =
+        (chain.dimension.translations().len(), chain.dimension.rotations().len());
     if chain.gravity == Source::Input {
-        given.push((InputKind::Gravity, shifts));
+        given.push((InputKind::Gravity, translations));
     }
     for (index, hinge) in chain.hinges.enumerate() {
         match &hinge.drive {
@@ -213,9 +214,10 @@ fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
         }
     }
     for (index, Load { force, torque, .. }) in chain.loads.enumerate() {
-        for (source, what, count) in
-            [(force, InputKind::Force(index), shifts), (torque, InputKind::Torque(index), turns)]
-        {
+        for (source, what, count) in [
+            (force, InputKind::Force(index), translations),
+            (torque, InputKind::Torque(index), rotations),
+        ] {
             if *source == Source::Input {
                 given.push((what, count));
             }

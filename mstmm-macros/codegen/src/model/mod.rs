@@ -120,7 +120,7 @@ impl Dimension {
     }
 
     /// Returns the axes of translations.
-    pub fn shifts(self) -> &'static [usize] {
+    pub fn translations(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2],
             Dimension::Plane => &[0, 1],
@@ -138,7 +138,7 @@ impl Dimension {
     }
 
     /// Returns the axes of rotations.
-    pub fn turns(self) -> &'static [usize] {
+    pub fn rotations(self) -> &'static [usize] {
         match self {
             Dimension::Space => &[0, 1, 2],
             Dimension::Plane => &[2],

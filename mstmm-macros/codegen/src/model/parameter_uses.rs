@@ -59,7 +59,7 @@ impl Chain {
     fn geometry(&self) -> impl Iterator<Item = &Value> {
         let frames = self.bodies.iter().flat_map(|body| of_frame(&body.output));
         let hinges = self.hinges.iter();
-        frames.chain(hinges.flat_map(|hinge| [of_places(hinge), hinge.kind.values()].concat()))
+        frames.chain(hinges.flat_map(|hinge| [of_attachments(hinge), hinge.kind.values()].concat()))
     }
 
     /// Returns the repeated parts in which a parameter is used, in their order; `None` is
@@ -74,9 +74,10 @@ impl Chain {
         let loads = loads.map(|load| (self.repeat_of_body(load.body), of_load(load)));
         let springs = self.springs.iter();
         let springs = springs.map(|spring| (self.repeat_of_body(spring.body), of_spring(spring)));
-        let places = self.hinges.iter().map(|hinge| (None, of_places(hinge)));
+        let attachments = self.hinges.iter().map(|hinge| (None, of_attachments(hinge)));
         let gravity = std::iter::once((None, of_source(&self.gravity)));
-        let all = bodies.chain(hinges).chain(loads).chain(springs).chain(places).chain(gravity);
+        let all =
+            bodies.chain(hinges).chain(loads).chain(springs).chain(attachments).chain(gravity);
         let mut parts: Vec<Option<RepeatId>> =
             all.filter(|(_, values)| used(values.clone())).map(|(part, _)| part).collect();
         parts.sort();
@@ -130,10 +131,10 @@ fn of_passive(passive: &Passive) -> Vec<&Value> {
     values
 }
 
-fn of_places(hinge: &Hinge) -> Vec<&Value> {
+fn of_attachments(hinge: &Hinge) -> Vec<&Value> {
     let mut values = Vec::new();
-    for place in [&hinge.inboard, &hinge.outboard] {
-        if let Attachment::Ground(frame) = place {
+    for attachment in [&hinge.inboard, &hinge.outboard] {
+        if let Attachment::Ground(frame) = attachment {
             values.extend(of_frame(frame));
         }
     }

@@ -19,9 +19,9 @@ pub(super) fn with_repeat_boundaries(mut chain: Chain) -> Chain {
         let before = chain.hinges[first].inboard.clone();
         let start = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: false }, before);
         chain.hinges[first].inboard = Attachment::Input(start);
-        let behind = Attachment::Output(last);
-        let next = chain.hinges.position(|hinge| hinge.inboard == behind);
-        let end = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: true }, behind);
+        let outboard_end = Attachment::Output(last);
+        let next = chain.hinges.position(|hinge| hinge.inboard == outboard_end);
+        let end = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: true }, outboard_end);
         if let Some(next) = next {
             chain.hinges[next].inboard = Attachment::Input(end);
         }
@@ -62,8 +62,8 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
 
 impl Chain {
     /// Returns the boundary at an attachment.
-    pub fn repeat_boundary(&self, place: &Attachment) -> Option<RepeatBoundary> {
-        match self.bodies[place.body()?].role {
+    pub fn repeat_boundary(&self, attachment: &Attachment) -> Option<RepeatBoundary> {
+        match self.bodies[attachment.body()?].role {
             Role::RepeatBoundary(boundary) => Some(boundary),
             Role::Physical | Role::MovingEnd => None,
         }

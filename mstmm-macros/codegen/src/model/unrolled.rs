@@ -26,8 +26,9 @@ impl Chain {
             let number = ends.iter().position(|&end| end == body)?;
             Some(BodyId(bodies_on_route + number))
         };
-        let outer = |place: &Attachment, on: fn(BodyId) -> Attachment| match place.body() {
-            None => place.clone(),
+        let outer = |attachment: &Attachment, on: fn(BodyId) -> Attachment| match attachment.body()
+        {
+            None => attachment.clone(),
             Some(body) => {
                 on(end(body).unwrap_or_else(|| bug!("a chain ends at a body on its route")))
             }
@@ -40,19 +41,19 @@ impl Chain {
         }
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut route = Vec::new();
-        for (place, element) in order.iter().enumerate() {
+        for (route_index, element) in order.iter().enumerate() {
             match *element {
                 Element::Body(body) => {
                     route.push(Element::Body(bodies.push(self.bodies[body].clone())));
                 }
                 Element::Hinge(hinge) => {
                     let written = &self.hinges[hinge];
-                    let inboard = if place == 0 {
+                    let inboard = if route_index == 0 {
                         outer(self.before_boundary(&written.inboard), Attachment::Output)
                     } else {
                         Attachment::Output(bodies.ids().last())
                     };
-                    let outboard = if place + 1 == order.len() {
+                    let outboard = if route_index + 1 == order.len() {
                         outer(&written.outboard, Attachment::Input)
                     } else {
                         Attachment::Input(BodyId(bodies.len()))
@@ -74,10 +75,10 @@ impl Chain {
         }
     }
 
-    /// Returns the attachment inboard of the boundary at `place`, or `place` itself.
-    pub fn before_boundary<'a>(&'a self, place: &'a Attachment) -> &'a Attachment {
-        self.repeat_boundary(place)
-            .map_or(place, |boundary| &self.hinges[self.weld_of(boundary)].inboard)
+    /// Returns the attachment inboard of the boundary at `attachment`, or `attachment` itself.
+    pub fn before_boundary<'a>(&'a self, attachment: &'a Attachment) -> &'a Attachment {
+        self.repeat_boundary(attachment)
+            .map_or(attachment, |boundary| &self.hinges[self.weld_of(boundary)].inboard)
     }
 
     fn hinges_on_route(&self) -> usize {
@@ -87,16 +88,16 @@ impl Chain {
     /// The elements in a row.
     fn order(&self, most: usize) -> Vec<Element> {
         let mut order = Vec::new();
-        let mut place = 0;
+        let mut next = 0;
         for repeat in &self.repeats {
             let Range { start, end } = repeat.route.clone();
-            order.extend(&self.route[place..start]);
+            order.extend(&self.route[next..start]);
             for _ in 0..repeat.count.min(most) {
                 order.extend(&self.route[start..end]);
             }
-            place = end;
+            next = end;
         }
-        order.extend(&self.route[place..]);
+        order.extend(&self.route[next..]);
         order
     }
 }

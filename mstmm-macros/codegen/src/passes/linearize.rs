@@ -205,15 +205,15 @@ impl<'a> Linearizer<'a> {
         if self.regions.loops.is_empty() {
             return None;
         }
-        let beside = match self.graph.node(node) {
+        let partners = match self.graph.node(node) {
             Node::Sin(_) | Node::Cos(_) => self.angles.get(&(self.depths[node as usize], region)),
             _ => None,
         };
-        let beside = || beside.into_iter().flatten().copied();
-        if beside().any(|angle| self.belongs(angle, region) && !self.done[angle as usize]) {
+        let partners = || partners.into_iter().flatten().copied();
+        if partners().any(|angle| self.belongs(angle, region) && !self.done[angle as usize]) {
             return None;
         }
-        let read = self.graph.node(node).operands().map(Edge::node).chain(beside());
+        let read = self.graph.node(node).operands().map(Edge::node).chain(partners());
         let here = read.filter(|&id| !self.is_slot(id) && self.regions.region(id) == region);
         here.filter_map(|id| self.section_of[id as usize]).max().or(self.owners.any(node))
     }

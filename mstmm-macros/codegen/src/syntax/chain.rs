@@ -105,9 +105,9 @@ fn misspelt_chain(input: &mut Cursor) -> Option<bool> {
     let mut ahead = *input;
     ahead.any();
     let of_chain = ahead.word("chain").is_none();
-    let mut behind = ahead;
-    behind.ident()?;
-    if !behind.peek_group(Delimiter::Brace) {
+    let mut after = ahead;
+    after.ident()?;
+    if !after.peek_group(Delimiter::Brace) {
         return None;
     }
     *input = ahead;
@@ -243,12 +243,12 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
 
 fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterSyntax> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
-    let mut behind = *input;
+    let mut after = *input;
     let repetitions = match input.group(Delimiter::Bracket) {
         // Other brackets are an error.
-        None if behind.group(Delimiter::Parenthesis).is_some() && behind.peek_punct('=') => {
+        None if after.group(Delimiter::Parenthesis).is_some() && after.peek_punct('=') => {
             diagnostics.push(input.unexpected("`=`"));
-            *input = behind;
+            *input = after;
             Some(UNKNOWN_COUNT)
         }
         None => None,

@@ -126,19 +126,19 @@ impl Ends {
             }
             return true;
         }
-        let mut behind = *input;
-        if let Some(at) = behind.punct(',') {
-            if behind.literal().is_some() && is_literal(value) {
+        let mut after = *input;
+        if let Some(at) = after.punct(',') {
+            if after.literal().is_some() && is_literal(value) {
                 diagnostics.error(at, "write decimals with a point");
                 self.skip(input);
                 return false;
             }
-            if begins_field(&behind) || behind.is_empty() {
+            if begins_field(&after) || after.is_empty() {
                 if !self.reported {
                     diagnostics.error(at, "fields end with `;`");
                 }
                 self.reported = true;
-                *input = behind;
+                *input = after;
                 return true;
             }
         }

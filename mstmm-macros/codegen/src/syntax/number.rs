@@ -68,7 +68,7 @@ fn product(input: &mut Cursor) -> Result<ExprSyntax> {
         factors.push(FactorSyntax { divides, expr });
         check_length(factors.len(), input)?;
         let unit = match suffix {
-            Some((symbol, at)) => Some(unit::behind(input, symbol, at)?),
+            Some((symbol, at)) => Some(unit::beginning_with(input, symbol, at)?),
             None => unit::optional(input)?,
         };
         if unit.is_none() && input.peek_pair('*', '*') {
@@ -200,14 +200,14 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
 
 /// Parses a count. A token that is no number is the outer error; a number that is out of range is
 /// the inner one.
-pub(super) fn count(asked: &str, input: &mut Cursor) -> Result<Result<usize>> {
-    let number = || input.unexpected(asked);
+pub(super) fn count(expected: &str, input: &mut Cursor) -> Result<Result<usize>> {
+    let number = || input.unexpected(expected);
     let Some(literal) = input.clone().literal() else { return Err(number()) };
     input.any();
     let count = literal.to_string().replace('_', "").parse::<usize>();
     let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
     Ok(known.ok_or_else(|| {
-        let message = format!("expected {asked} from 1 to {MOST_TIMES}");
+        let message = format!("expected {expected} from 1 to {MOST_TIMES}");
         Error::new(literal.span(), message)
     }))
 }

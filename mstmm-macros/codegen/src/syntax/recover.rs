@@ -66,9 +66,9 @@ pub(super) fn misspelt_repeat(input: &mut Cursor, diagnostics: &mut Diagnostics)
     let mut ahead = *input;
     let word = ahead.ident()?;
     nearest(&word.to_string(), ["repeat"])?;
-    let mut behind = ahead;
-    behind.literal()?;
-    behind.group(Delimiter::Brace)?;
+    let mut after = ahead;
+    after.literal()?;
+    after.group(Delimiter::Brace)?;
     diagnostics.error(word.span(), format!("unknown route item `{word}`; did you mean `repeat`?"));
     *input = ahead;
     Some(word.span())

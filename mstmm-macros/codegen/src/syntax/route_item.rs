@@ -51,9 +51,9 @@ pub(super) fn route_item(
     }
     let written = inside(input);
     let at = input.next_span();
-    if let (None, Some(name), Some(behind)) = (&arguments, &name, self::arguments(input)?) {
+    if let (None, Some(name), Some(after_name)) = (&arguments, &name, self::arguments(input)?) {
         diagnostics.error(at, format!("write `{word}({written}) {name}`"));
-        arguments = Some(behind);
+        arguments = Some(after_name);
     }
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
 }
@@ -62,8 +62,8 @@ pub(super) fn route_item(
 fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
     let start = *input;
     let position = input.word("at").map(|_| value::position(input)).transpose()?;
-    let turn = value::turned(input)?;
-    if position.is_some() || turn.is_some() {
+    let orientation = value::turned(input)?;
+    if position.is_some() || orientation.is_some() {
         diagnostics.error(start.next_span(), MOVING_HAS_NO_PLACE);
     }
     Ok(())

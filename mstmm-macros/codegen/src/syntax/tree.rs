@@ -238,7 +238,9 @@ impl ValueSyntax {
         match self {
             ValueSyntax::Number(expr) => expr.extent,
             ValueSyntax::Vector(list) => list.extent,
-            ValueSyntax::Turned(position, turn) => position.extent().to(turn.extent()),
+            ValueSyntax::Turned(position, orientation) => {
+                position.extent().to(orientation.extent())
+            }
             ValueSyntax::Form(form) => form.extent(),
             ValueSyntax::About(expr, point) => expr.extent.to(SpanRange::token(point.span())),
             ValueSyntax::PlaceOn(_, extent) => *extent,

@@ -22,11 +22,11 @@ pub(super) fn optional(input: &mut Cursor) -> Result<Option<UnitSyntax>> {
         return Ok(None);
     }
     let (symbol, at) = symbol(input)?;
-    behind(input, symbol, at).map(Some)
+    beginning_with(input, symbol, at).map(Some)
 }
 
 /// Parses the rest of a unit after its first symbol.
-pub(super) fn behind(input: &mut Cursor, symbol: String, at: Span) -> Result<UnitSyntax> {
+pub(super) fn beginning_with(input: &mut Cursor, symbol: String, at: Span) -> Result<UnitSyntax> {
     let mut factors = vec![UnitFactorSyntax { symbol, at, power: power(input)? }];
     let mut parentheses = None;
     while let Some(sign) = sign_before_unit(input) {
@@ -99,8 +99,8 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
         ahead.punct('/')?;
         -1
     };
-    let mut behind = ahead;
-    if !is_next(&ahead) && in_parentheses(&mut behind).is_none() {
+    let mut after = ahead;
+    if !is_next(&ahead) && in_parentheses(&mut after).is_none() {
         return None;
     }
     *input = ahead;

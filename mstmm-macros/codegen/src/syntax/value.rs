@@ -24,8 +24,8 @@ pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
     {
         return Ok(ValueSyntax::PlaceOn(body.clone(), start.to(input.last())));
     }
-    if let Some(turn) = turned(input)? {
-        return Ok(ValueSyntax::Turned(position.into(), turn));
+    if let Some(orientation) = turned(input)? {
+        return Ok(ValueSyntax::Turned(position.into(), orientation));
     }
     Ok(match (position, about(input)?) {
         (ValueSyntax::Number(expr), Some(point)) => ValueSyntax::About(expr, point),

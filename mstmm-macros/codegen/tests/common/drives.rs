@@ -18,13 +18,13 @@ pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
 /// Returns the inputs for `drives`.
 pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
     let layout = Layout::of(chain);
-    let (shifts, turns) = (chain.dimension.shifts(), chain.dimension.turns());
+    let (translations, rotations) = (chain.dimension.translations(), chain.dimension.rotations());
     let pick = |vector: &[f64; 3], axes: &[usize]| axes.iter().map(|&k| vector[k]).collect();
     let of = |input: &Input| -> Vec<f64> {
         match input.what {
-            InputKind::Gravity => pick(&drives.gravity, shifts),
-            InputKind::Force(load) => pick(&drives.loads[load.index()].force, shifts),
-            InputKind::Torque(load) => pick(&drives.loads[load.index()].torque, turns),
+            InputKind::Gravity => pick(&drives.gravity, translations),
+            InputKind::Force(load) => pick(&drives.loads[load.index()].force, translations),
+            InputKind::Torque(load) => pick(&drives.loads[load.index()].torque, rotations),
             InputKind::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
             InputKind::Motion(hinge) => motion(chain, hinge, drives),
         }

@@ -45,7 +45,7 @@ struct Reader<'a, S> {
 impl<S: Judge> Reader<'_, S> {
     fn point(&self, point: &StoredPoint, repetition: usize) -> Vec<S> {
         let dimension = self.chain.dimension;
-        let (shifts, turns) = (dimension.shifts(), dimension.turns());
+        let (translations, rotations) = (dimension.translations(), dimension.rotations());
         let entries = |stored: &StoredVector, count: usize| -> Vec<S> {
             let Some(first) = stored.first.checked_sub(1) else { return vec![S::zero(); count] };
             assert_eq!(stored.count, count);
@@ -68,18 +68,20 @@ impl<S: Judge> Reader<'_, S> {
                     }
                 }
             };
-        let mut all = entries(&point.position, shifts.len());
+        let mut all = entries(&point.position, translations.len());
         match &point.orientation {
-            Some(columns) => all.extend(columns.iter().flat_map(|x| entries(x, shifts.len()))),
+            Some(columns) => {
+                all.extend(columns.iter().flat_map(|x| entries(x, translations.len())))
+            }
             None => {
                 let unit = |column: usize| {
-                    (0..shifts.len()).map(move |row| if row == column { 1.0 } else { 0.0 })
+                    (0..translations.len()).map(move |row| if row == column { 1.0 } else { 0.0 })
                 };
                 all.extend((0..dimension.columns()).flat_map(unit).map(S::number));
             }
         }
         // Velocity, angular velocity, proper acceleration, angular acceleration, moment and force.
-        let kinds = [shifts, turns, shifts, turns, turns, shifts];
+        let kinds = [translations, rotations, translations, rotations, rotations, translations];
         let there = kinds.into_iter().enumerate().filter(|(_, along)| !along.is_empty());
         for ((kind, along), framed) in there.zip(&point.vectors) {
             let seen = inertial(framed, along);

@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_the_crate_mean_nothing_to_a_chain() {
+    fn names_in_the_crate_do_not_affect_a_chain() {
         assert_eq!(crowded::acceleration(), -25.0);
     }
 }

@@ -58,14 +58,14 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let MethodTemplate { name, docs, arguments, returns, opening, end, destination } =
         template(cx, answer);
     let procedure = &function.procedure;
-    let [before, behind] = docs;
+    let [before, after] = docs;
     let cost = docs::cost(procedure);
     let statements = cx.procedure(procedure, |id| destination(cx, id));
     let body = body(quote!(#opening #statements), end);
     quote! {
         #before
         #(#[doc = #cost])*
-        #behind
+        #after
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #name(&self, #arguments) -> #returns #body
     }

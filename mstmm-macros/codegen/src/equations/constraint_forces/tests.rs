@@ -44,7 +44,7 @@ fn directions(closure: &ConstraintForces<f64>) -> Vec<&Vec<f64>> {
 }
 
 #[test]
-fn a_regular_system_is_solved_and_nothing_is_undetermined() {
+fn a_regular_system_has_no_undetermined_directions() {
     let vectors =
         [[1.0, 2.0, 0.0, -1.0], [0.0, 1.0, 3.0, 0.5], [2.0, 0.0, 1.0, 0.0], [0.0, 0.1, 0.2, 0.3]];
     let x = [0.3, -1.0, 2.0, 0.7];

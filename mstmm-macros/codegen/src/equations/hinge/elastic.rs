@@ -60,17 +60,19 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
             [[one, s1 * tangent, c1 * tangent], [zero, c1, -s1], [zero, s1 * secant, c1 * secant]];
         let spins = [[one, zero, -s2], [zero, c1, s1 * c2], [zero, -s1, c1 * c2]];
         let turned = [-q[1], q[0], zero];
-        let shift = [[c3, -s3, zero], [s3, c3, zero], [zero, zero, one]];
+        let translation = [[c3, -s3, zero], [s3, c3, zero], [zero, zero, one]];
         let (mut to, mut back) = (Vec::new(), Vec::new());
         for row in 0..3 {
-            let shift_back = [0, 1, 2].map(|column| shift[column][row]);
-            to.push(shift_back.into_iter().chain(angles[2].map(|h| -(turned[row] * h))).collect());
-            let yaw = Vec3(shift[row]).dot(Vec3(turned));
-            back.push(shift[row].into_iter().chain([zero, zero, yaw]).collect());
+            let translation_back = [0, 1, 2].map(|column| translation[column][row]);
+            to.push(
+                translation_back.into_iter().chain(angles[2].map(|h| -(turned[row] * h))).collect(),
+            );
+            let yaw = Vec3(translation[row]).dot(Vec3(turned));
+            back.push(translation[row].into_iter().chain([zero, zero, yaw]).collect());
         }
-        let behind = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
-        to.extend(angles.map(behind));
-        back.extend(spins.map(behind));
+        let after_translation = |row: [S; 3]| [zero; 3].into_iter().chain(row).collect::<Vec<S>>();
+        to.extend(angles.map(after_translation));
+        back.extend(spins.map(after_translation));
         StrainMap::new(to, back)
     }
 }

@@ -48,6 +48,6 @@ impl<S: Scalar> HingeLaw<S> for Floating {
 
 /// Returns the translations along the inboard axes, then the rotations about the outboard axes.
 pub fn columns<S: Scalar>() -> Vec<SubspaceColumn<S>> {
-    let shifts = (0..3).map(|k| SubspaceColumn::translation(Vec3::unit(k)));
-    shifts.chain(ball::rotations()).collect()
+    let translations = (0..3).map(|k| SubspaceColumn::translation(Vec3::unit(k)));
+    translations.chain(ball::rotations()).collect()
 }

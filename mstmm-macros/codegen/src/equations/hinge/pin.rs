@@ -22,8 +22,8 @@ impl<S: Scalar> HingeLaw<S> for Pin<'_> {
     /// A rotation about the axis: `Ω_O = Ω_I + A_O ω_r` [P, Eq. (36)].
     fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, values);
-        let turn = SubspaceColumn::rotation(along.direction());
-        HingeGeometry { columns: vec![turn], ..HingeGeometry::rotated(along.rotation_by(q[0])) }
+        let rotation = SubspaceColumn::rotation(along.direction());
+        HingeGeometry { columns: vec![rotation], ..HingeGeometry::rotated(along.rotation_by(q[0])) }
     }
 
     fn alignment(&self, values: &SymbolValues<S>) -> Mat3<S> {

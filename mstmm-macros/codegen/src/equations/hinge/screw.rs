@@ -25,10 +25,13 @@ impl<S: Scalar> HingeLaw<S> for Screw<'_> {
     fn geometry(&self, values: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let along = Alignment::with(self.axis, values);
         let direction = along.direction();
-        let shift = direction * values.scalar(self.pitch);
+        let translation = direction * values.scalar(self.pitch);
         HingeGeometry {
-            offset: shift * q[0],
-            columns: vec![SubspaceColumn::inboard(Motion { linear: shift, angular: direction })],
+            offset: translation * q[0],
+            columns: vec![SubspaceColumn::inboard(Motion {
+                linear: translation,
+                angular: direction,
+            })],
             ..HingeGeometry::rotated(along.rotation_by(q[0]))
         }
     }

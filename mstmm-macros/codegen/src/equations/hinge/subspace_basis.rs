@@ -104,11 +104,11 @@ fn on_axes<S: Scalar>(
     armature: &[S],
 ) -> Option<SubspaceBasis<S>> {
     let count = axes.len();
-    let shifts = axes.iter().filter(|&&axis| axis < 3).count();
+    let translations = axes.iter().filter(|&&axis| axis < 3).count();
     let basis: Vec<Vec<S>> =
         axes.iter().map(|&axis| subspace.iter().map(|motion| motion.at(axis)).collect()).collect();
     // Translations come first among the rates of every kind, and have no angular part.
-    let block = |i: usize, j: usize| i >= shifts && j < shifts;
+    let block = |i: usize, j: usize| i >= translations && j < translations;
     let pure = (0..count).all(|i| (0..count).all(|j| !block(i, j) || basis[i][j].vanishes()));
     if !pure {
         return None;
@@ -116,15 +116,15 @@ fn on_axes<S: Scalar>(
     let mut inverse = vec![vec![S::zero(); count]; count];
     for i in 0..count {
         for j in 0..count {
-            inverse[i][j] = if (i < shifts) == (j < shifts) {
+            inverse[i][j] = if (i < translations) == (j < translations) {
                 basis[j][i]
-            } else if i < shifts {
+            } else if i < translations {
                 let over = |k: usize| {
-                    let turned =
-                        (shifts..count).fold(S::zero(), |sum, l| sum + basis[k][l] * basis[j][l]);
+                    let turned = (translations..count)
+                        .fold(S::zero(), |sum, l| sum + basis[k][l] * basis[j][l]);
                     basis[k][i] * turned
                 };
-                -(0..shifts).fold(S::zero(), |sum, k| sum + over(k))
+                -(0..translations).fold(S::zero(), |sum, k| sum + over(k))
             } else {
                 S::zero()
             };

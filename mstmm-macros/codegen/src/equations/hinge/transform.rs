@@ -83,7 +83,7 @@ impl<S: Scalar> HingeTransform<S> {
     /// `side`.
     pub fn rotation_to_parent(&self, side: Mat3<S>) -> Rotation<S> {
         match self.axis_rotation {
-            Some(turn) if rotates_in_steps(side) => Rotation::from_steps(side, turn),
+            Some(steps) if rotates_in_steps(side) => Rotation::from_steps(side, steps),
             _ => Rotation::from_matrix(side * self.rotation),
         }
     }

@@ -105,7 +105,7 @@ pub fn hinge_kinematics<S: Scalar>(
     let values = context.values;
     let hinge = &context.chain.hinges[index];
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
-    let (_, from_origin, from_rotation) = context.place(from);
+    let (_, from_origin, from_rotation) = context.frame_of(from);
     let (q, v) = (context.coordinates(index), context.rates(index));
     let transform = hinge::hinge_transform(&hinge.kind, values, q, reversed);
     let alignment = hinge.kind.law().alignment(values);

@@ -144,7 +144,7 @@ fn link_kinematics<S: Scalar>(
 ) -> LinkKinematics<S> {
     let hinge = hinge_kinematics(context, axes, (link.hinge, link.reversed), parent);
     let (_, to) = attachments(context.chain, link);
-    let (_, point, rotation) = context.place(to);
+    let (_, point, rotation) = context.frame_of(to);
     let alignment = context.chain.hinges[link.hinge].kind.law().alignment(context.values);
     let part_to_work = hinge.child_to_work * (rotation * alignment).transposed();
     let carried = hinge.to_parent.rotate_back(parent.omega);

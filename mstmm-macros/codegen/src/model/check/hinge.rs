@@ -132,7 +132,10 @@ fn pitch_of(field: &FieldSyntax) -> SpanRange {
 }
 
 /// Reports motors and start values of prescribed hinges, which have no part in the state.
-pub(super) fn motions_are_given_alone(draft: &Draft, diagnostics: &mut Diagnostics) {
+pub(super) fn prescribed_motions_exclude_other_drives(
+    draft: &Draft,
+    diagnostics: &mut Diagnostics,
+) {
     let mut reported: Vec<&FieldSyntax> = Vec::new();
     for (item, properties) in draft.items.iter().zip(&draft.properties) {
         let (RouteItem::Hinge { spec, .. }, Some(motion)) = (item, &properties.motion) else {

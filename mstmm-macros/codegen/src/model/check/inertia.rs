@@ -19,7 +19,7 @@ pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
 }
 
 /// Requires that a distribution of mass with this inertia exists, about any point.
-pub(super) fn inertias_are_those_of_real_bodies(draft: &Draft) -> Vec<Requirement> {
+pub(super) fn inertias_are_physical(draft: &Draft) -> Vec<Requirement> {
     let bodies = draft.types.iter();
     bodies.filter_map(|body| Some(real(draft.space, body, body.inertia.as_ref()?))).collect()
 }

@@ -29,7 +29,7 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
 }
 
 /// Requires that stiffness, damping and length of springs are not negative.
-pub(super) fn spring_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
+pub(super) fn spring_values_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     let numbers = draft.springs.iter().flat_map(|spring| {
         [
             (spring.stiffness.as_ref(), STIFFNESS),

@@ -88,9 +88,9 @@ fn names<'a>(draft: &'a Draft) -> Vec<UsedName<'a>> {
 /// Returns the end of the message for an item with the name of an earlier one: it may be meant to
 /// close a loop.
 fn twice(draft: &Draft, index: usize) -> &'static str {
-    let (before, behind) = draft.items.split_at(index);
-    let is_same = |other: &RouteItem| other.name() == behind.first().and_then(RouteItem::name);
-    match behind {
+    let (before, after) = draft.items.split_at(index);
+    let is_same = |other: &RouteItem| other.name() == after.first().and_then(RouteItem::name);
+    match after {
         [RouteItem::Body { word, .. }]
             // A hinge back to the same body is no loop.
             if before.iter().rev().skip(2).any(|other| {
@@ -144,10 +144,7 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
 }
 
 /// Reports chains with the name `T`, the scalar type of the generated types.
-pub(super) fn chains_are_not_called_like_their_numbers(
-    draft: &Draft,
-    diagnostics: &mut Diagnostics,
-) {
+pub(super) fn chain_names_are_not_the_scalar_type(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
     if name == "T" {
         let message = "`T` is the scalar type of a chain and cannot be its name";
@@ -179,10 +176,7 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
 }
 
 /// Reports names that equal an input of a load: a load `x` has the inputs `x_force` and `x_torque`.
-pub(super) fn inputs_of_loads_have_a_name_of_their_own(
-    draft: &Draft,
-    diagnostics: &mut Diagnostics,
-) {
+pub(super) fn load_inputs_have_unique_names(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     for load in draft.loads.iter().map(|load| load.name) {
         for input in [format!("{load}_force"), format!("{load}_torque")] {
@@ -215,7 +209,7 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
 }
 
 /// Reports names that are keywords of items.
-pub(super) fn names_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
+pub(super) fn names_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     let names = names.iter().filter(|name| !name.made).map(|name| name.ident);
     refuse_words(names, ITEM_WORDS, diagnostics);
@@ -232,7 +226,7 @@ pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnost
 }
 
 /// Reports types of bodies with the name of a keyword of the route.
-pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &mut Diagnostics) {
+pub(super) fn body_types_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
     let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
     let names = draft.types.iter().map(|body| body.name);
@@ -240,10 +234,7 @@ pub(super) fn types_are_not_words_of_the_language(draft: &Draft, diagnostics: &m
 }
 
 /// Reports parameters with the name of a keyword for a number.
-pub(super) fn parameters_are_not_words_of_the_language(
-    draft: &Draft,
-    diagnostics: &mut Diagnostics,
-) {
+pub(super) fn parameters_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
     let words: Vec<_> = NUMBER_WORDS.iter().chain(FUNCTIONS).copied().collect();
     let names = draft.def.parameters.iter().map(|def| &def.field.name);
     refuse_words(names, &words, diagnostics);

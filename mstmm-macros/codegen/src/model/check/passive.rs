@@ -77,7 +77,7 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
 }
 
 /// Requires values that dissipate or store energy: none is negative.
-pub(super) fn passive_numbers_are_not_negative(draft: &Draft) -> Vec<Requirement> {
+pub(super) fn passive_values_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     requirements(draft, Bound::NotBeNegative)
 }
 

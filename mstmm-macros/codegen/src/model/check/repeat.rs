@@ -50,7 +50,7 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
 }
 
 /// Reports ends of the chain in a repeated part.
-pub(super) fn repeats_hold_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
+pub(super) fn repeats_contain_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
     for item in repeats(draft).flat_map(|(_, items)| items) {
         let (at, word) = match item {
             RouteItem::Ground { at, .. } => (*at, "ground"),

@@ -191,7 +191,7 @@ fn boundary_is_wrong(draft: &Draft, item: usize) -> bool {
 }
 
 /// Reports hinges at an end of the route.
-pub(super) fn hinges_join_something_on_both_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
+pub(super) fn hinges_connect_two_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
     let items = whole_route(draft);
     let Some(last) = items.len().checked_sub(1) else { return };
     for (index, verb) in [(0, "begin"), (last, "end")] {

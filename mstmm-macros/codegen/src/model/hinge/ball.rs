@@ -2,7 +2,7 @@
 
 use super::{HingeSpec, StateView, ViewArgument, one, quaternion, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "ball",
     coordinates: &[one("qw"), zero("qx"), zero("qy"), zero("qz")],
     rates: &["wx", "wy", "wz"],

@@ -1,12 +1,12 @@
 //! Cylindrical: a displacement in m and an angle in rad.
 
-use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, rotations, translations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "cylindrical",
-    coordinates: &[zero("way"), zero("angle")],
+    coordinates: &[zero("position"), zero("angle")],
     rates: &["velocity", "rate"],
-    groups: &[shifts(1), turns(1, 1)],
+    groups: &[translations(1), rotations(1, 1)],
     view: Some(StateView {
         name: "CylindricalState",
         groups: &[

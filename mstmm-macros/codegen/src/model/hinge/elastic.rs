@@ -1,16 +1,16 @@
 //! Elastic: a displacement in m and three angles in rad; a velocity in m/s and an angular velocity in
 //! rad/s.
 
-use super::{DofGroup, HingeSpec, Representation, StateView, ViewArgument, shifts, zero};
+use super::{DofGroup, HingeSpec, Representation, StateView, ViewArgument, translations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "elastic",
     coordinates: &[zero("x"), zero("y"), zero("z"), zero("roll"), zero("pitch"), zero("yaw")],
     rates: &["vx", "vy", "vz", "wx", "wy", "wz"],
     groups: &[
-        shifts(3),
+        translations(3),
         DofGroup {
-            turns: true,
+            rotational: true,
             representation: Representation::Angles,
             coordinates: 3..6,
             rates: 3..6,

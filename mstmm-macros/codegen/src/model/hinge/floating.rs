@@ -1,13 +1,13 @@
 //! Floating: a position in m and a unit quaternion (w, x, y, z); a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{HingeSpec, StateView, ViewArgument, one, quaternion, shifts, zero};
+use super::{HingeSpec, StateView, ViewArgument, one, quaternion, translations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "floating",
     coordinates: &[zero("x"), zero("y"), zero("z"), one("qw"), zero("qx"), zero("qy"), zero("qz")],
     rates: &["vx", "vy", "vz", "wx", "wy", "wz"],
-    groups: &[shifts(3), quaternion(3)],
+    groups: &[translations(3), quaternion(3)],
     view: Some(StateView {
         name: "FloatingState",
         groups: &[

@@ -201,7 +201,7 @@ pub struct HingeSpec {
 #[derive(Debug, PartialEq)]
 pub struct DofGroup {
     /// Whether they are rotations; translations otherwise.
-    pub turns: bool,
+    pub rotational: bool,
     /// The representation of their coordinates.
     pub representation: Representation,
     /// Which of the hinge's coordinates.
@@ -288,17 +288,17 @@ impl HingeKind {
     /// Returns the coordinates and rates of this kind.
     pub fn spec(&self) -> &'static HingeSpec {
         match self {
-            HingeKind::Weld => &weld::SHAPE,
-            HingeKind::Pin { .. } => &pin::SHAPE,
-            HingeKind::Slider { .. } => &slider::SHAPE,
-            HingeKind::Screw { .. } => &screw::SHAPE,
-            HingeKind::Cylindrical { .. } => &cylindrical::SHAPE,
-            HingeKind::Universal { .. } => &universal::SHAPE,
-            HingeKind::Ball => &ball::SHAPE,
-            HingeKind::Planar { .. } => &planar::SHAPE,
-            HingeKind::Floating => &floating::SHAPE,
-            HingeKind::Elastic => &elastic::SHAPE,
-            HingeKind::PlaneElastic => &plane_elastic::SHAPE,
+            HingeKind::Weld => &weld::SPEC,
+            HingeKind::Pin { .. } => &pin::SPEC,
+            HingeKind::Slider { .. } => &slider::SPEC,
+            HingeKind::Screw { .. } => &screw::SPEC,
+            HingeKind::Cylindrical { .. } => &cylindrical::SPEC,
+            HingeKind::Universal { .. } => &universal::SPEC,
+            HingeKind::Ball => &ball::SPEC,
+            HingeKind::Planar { .. } => &planar::SPEC,
+            HingeKind::Floating => &floating::SPEC,
+            HingeKind::Elastic => &elastic::SPEC,
+            HingeKind::PlaneElastic => &plane_elastic::SPEC,
         }
     }
 
@@ -337,33 +337,33 @@ const fn one(name: &'static str) -> Coordinate {
 }
 
 /// Translations: the first coordinates and rates of a hinge.
-const fn shifts(count: usize) -> DofGroup {
+const fn translations(count: usize) -> DofGroup {
     DofGroup {
-        turns: false,
+        rotational: false,
         representation: Representation::Numbers,
         coordinates: 0..count,
         rates: 0..count,
     }
 }
 
-/// Rotations after `shifts` translations, each a scalar.
-const fn turns(shifts: usize, count: usize) -> DofGroup {
-    let range = shifts..shifts + count;
+/// Rotations after `translations` translations, each a scalar.
+const fn rotations(translations: usize, count: usize) -> DofGroup {
+    let range = translations..translations + count;
     DofGroup {
-        turns: true,
+        rotational: true,
         representation: Representation::Numbers,
-        coordinates: shifts..shifts + count,
+        coordinates: translations..translations + count,
         rates: range,
     }
 }
 
-/// All rotations after `shifts` translations, as a quaternion.
-const fn quaternion(shifts: usize) -> DofGroup {
-    let rates = shifts..shifts + 3;
+/// All rotations after `translations` translations, as a quaternion.
+const fn quaternion(translations: usize) -> DofGroup {
+    let rates = translations..translations + 3;
     DofGroup {
-        turns: true,
+        rotational: true,
         representation: Representation::Quaternion,
-        coordinates: shifts..shifts + 4,
+        coordinates: translations..translations + 4,
         rates,
     }
 }

@@ -1,12 +1,12 @@
 //! Planar: two displacements in m and an angle in rad.
 
-use super::{HingeSpec, StateView, ViewArgument, shifts, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, rotations, translations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "planar",
     coordinates: &[zero("way1"), zero("way2"), zero("angle")],
     rates: &["velocity1", "velocity2", "rate"],
-    groups: &[shifts(2), turns(2, 1)],
+    groups: &[translations(2), rotations(2, 1)],
     view: Some(StateView {
         name: "PlanarState",
         groups: &[

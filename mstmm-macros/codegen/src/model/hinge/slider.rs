@@ -1,12 +1,12 @@
 //! Slider: a displacement in m.
 
-use super::{HingeSpec, StateView, ViewArgument, shifts, zero};
+use super::{HingeSpec, StateView, ViewArgument, translations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "slider",
-    coordinates: &[zero("way")],
+    coordinates: &[zero("position")],
     rates: &["velocity"],
-    groups: &[shifts(1)],
+    groups: &[translations(1)],
     view: Some(StateView {
         name: "SliderState",
         groups: &[ViewArgument::Coordinates(0..1), ViewArgument::Rates(0..1)],

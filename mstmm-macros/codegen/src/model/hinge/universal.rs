@@ -1,12 +1,12 @@
 //! Universal: two angles in rad.
 
-use super::{HingeSpec, StateView, ViewArgument, turns, zero};
+use super::{HingeSpec, StateView, ViewArgument, rotations, zero};
 
-pub(super) const SHAPE: HingeSpec = HingeSpec {
+pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "universal",
     coordinates: &[zero("angle1"), zero("angle2")],
     rates: &["rate1", "rate2"],
-    groups: &[turns(0, 2)],
+    groups: &[rotations(0, 2)],
     view: Some(StateView {
         name: "UniversalState",
         groups: &[ViewArgument::Coordinates(0..2), ViewArgument::Rates(0..2)],

@@ -2,5 +2,5 @@
 
 use super::HingeSpec;
 
-pub(super) const SHAPE: HingeSpec =
+pub(super) const SPEC: HingeSpec =
     HingeSpec { word: "weld", coordinates: &[], rates: &[], groups: &[], view: None };

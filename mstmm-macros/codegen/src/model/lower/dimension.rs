@@ -45,9 +45,9 @@ pub(super) const FORCE: &Quantity = &quantity("a force", "N", [1, 1, -2, 0]);
 pub(super) const TORQUE: &Quantity = &quantity("a torque", "N*m", [2, 1, -2, 0]);
 pub(super) const STIFFNESS: &Quantity = &quantity("a stiffness", "N/m", [0, 1, -2, 0]);
 pub(super) const DAMPING: &Quantity = &quantity("a damping", "N*s/m", [0, 1, -1, 0]);
-pub(super) const TURNING_STIFFNESS: &Quantity =
+pub(super) const ROTATIONAL_STIFFNESS: &Quantity =
     &quantity("a rotational stiffness", "N*m/rad", [2, 1, -2, -1]);
-pub(super) const TURNING_DAMPING: &Quantity =
+pub(super) const ROTATIONAL_DAMPING: &Quantity =
     &quantity("a rotational damping", "N*m*s/rad", [2, 1, -1, -1]);
 pub(super) const PITCH: &Quantity = &quantity("a pitch", "m/rad", [1, 0, 0, -1]);
 
@@ -65,8 +65,8 @@ const QUANTITIES: &[&Quantity] = &[
     TORQUE,
     STIFFNESS,
     DAMPING,
-    TURNING_STIFFNESS,
-    TURNING_DAMPING,
+    ROTATIONAL_STIFFNESS,
+    ROTATIONAL_DAMPING,
     PITCH,
     &quantity("a time", "s", [0, 0, 1, 0]),
     &quantity("a frequency", "1/s", [0, 0, -1, 0]),
@@ -80,7 +80,7 @@ const QUANTITIES: &[&Quantity] = &[
 ];
 
 /// Quantities whose units messages show, since they are less known.
-const WITH_UNITS: &[&Quantity] = &[STIFFNESS, DAMPING, TURNING_STIFFNESS, TURNING_DAMPING];
+const WITH_UNITS: &[&Quantity] = &[STIFFNESS, DAMPING, ROTATIONAL_STIFFNESS, ROTATIONAL_DAMPING];
 
 impl Quantity {
     /// What is expected, in words.

@@ -121,7 +121,7 @@ impl Draft<'_> {
         let RouteItem::Hinge { name, hinge_kind, .. } = self.items.get(index)? else { return None };
         let Spanned { value: kind, .. } = hinge_kind.clone()?;
         let motion = self.properties.get(index)?.motion.clone()?;
-        let place = |index: usize, on: fn(BodyId) -> Attachment| match self.items.get(index)? {
+        let attachment = |index: usize, on: fn(BodyId) -> Attachment| match self.items.get(index)? {
             RouteItem::Ground { frame, .. } => Some(Attachment::Ground(frame.clone()?)),
             // A moving end is a body whose output is its input.
             RouteItem::Body { .. } | RouteItem::Moving { .. } => Some(on(numbers.body(index))),
@@ -130,8 +130,8 @@ impl Draft<'_> {
             }
         };
         let sides = [
-            place(index.checked_sub(1)?, Attachment::Output)?,
-            place(index + 1, Attachment::Input)?,
+            attachment(index.checked_sub(1)?, Attachment::Output)?,
+            attachment(index + 1, Attachment::Input)?,
         ];
         Some(hinge((*name)?.clone(), kind, sides, motion))
     }

@@ -142,8 +142,8 @@ pub(super) fn missing<'r>(
     let mut missing: Vec<_> = required.iter().copied().filter(|name| !is_meant(name)).collect();
     for (field, _) in unknown.iter().filter(|(_, meant)| meant.is_none()) {
         let could_be = |name: &&str| field.value.as_ref().is_some_and(|value| fits(value, name));
-        if let Some(place) = missing.iter().position(could_be) {
-            missing.remove(place);
+        if let Some(index) = missing.iter().position(could_be) {
+            missing.remove(index);
         }
     }
     missing

@@ -263,7 +263,7 @@ fn load<'a>(
         axes: context.optional(fields.get("axes"), || LoadAxes::Inertial, axes),
         force: context.source(fields.get("force"), |context, it| context.written_vector(it, FORCE)),
         torque: context
-            .source(fields.get("torque"), |context, it| context.written_turning(it, TORQUE)),
+            .source(fields.get("torque"), |context, it| context.written_rotational(it, TORQUE)),
     }
 }
 

@@ -152,8 +152,8 @@ impl Context<'_> {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
         if text == "input" {
-            let message = "`input` cannot be part of a formula: it stands for a whole field that \
-                           is given at each step";
+            let message =
+                "`input` cannot be part of a formula: write it as the whole value of a field";
             return self.refuse(name, message);
         }
         if unit::is_symbol(&text) {

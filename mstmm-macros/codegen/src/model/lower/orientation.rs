@@ -65,12 +65,12 @@ impl Context<'_> {
     }
 
     /// Reads an orientation in a chain of this dimension.
-    fn turn(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
+    fn rotation(&mut self, orientation: &OrientationSyntax) -> Option<Orientation> {
         match self.space {
-            Dimension::Space => self.turned(turn),
-            Dimension::Plane => self.angle(turn).map(Orientation::about_z),
+            Dimension::Space => self.turned(orientation),
+            Dimension::Plane => self.angle(orientation).map(Orientation::about_z),
             Dimension::Line => self.refuse(
-                turn.extent(),
+                orientation.extent(),
                 "a line chain has no orientations: \
                 remove `turned …`",
             ),
@@ -78,8 +78,8 @@ impl Context<'_> {
     }
 
     /// Reads an orientation in space after `turned`.
-    pub fn turned(&mut self, turn: &OrientationSyntax) -> Option<Orientation> {
-        match turn {
+    pub fn turned(&mut self, orientation: &OrientationSyntax) -> Option<Orientation> {
+        match orientation {
             OrientationSyntax::Form(form) => self.orientation(form),
             OrientationSyntax::Angle(angle) => {
                 self.refuse(angle.extent, format!("{EXPECTED}, found a number"))
@@ -88,8 +88,8 @@ impl Context<'_> {
     }
 
     /// Reads the angle of a rotation about a known axis.
-    pub fn angle(&mut self, turn: &OrientationSyntax) -> Option<Value> {
-        match turn {
+    pub fn angle(&mut self, orientation: &OrientationSyntax) -> Option<Value> {
+        match orientation {
             OrientationSyntax::Angle(angle) => self.number(angle, ANGLE),
             OrientationSyntax::Form(form) => {
                 let message = format!("expected an angle, found `{}(…)`", form.word);
@@ -101,7 +101,9 @@ impl Context<'_> {
     /// Reads a frame after `=`: its position and, if written, its orientation.
     pub fn written_frame(&mut self, written: &ValueSyntax) -> Option<Frame> {
         match written {
-            ValueSyntax::Turned(position, turn) => self.frame(Some(position), Some(turn)),
+            ValueSyntax::Turned(position, orientation) => {
+                self.frame(Some(position), Some(orientation))
+            }
             other => self.frame(Some(other), None),
         }
     }
@@ -110,13 +112,13 @@ impl Context<'_> {
     pub fn frame(
         &mut self,
         position: Option<&ValueSyntax>,
-        turn: Option<&OrientationSyntax>,
+        orientation: Option<&OrientationSyntax>,
     ) -> Option<Frame> {
         let position = match position {
             None => Some(zeros()),
             Some(written) => self.written_vector(written, LENGTH),
         };
-        let turned = turn.map(|turn| self.turn(turn));
+        let turned = orientation.map(|orientation| self.rotation(orientation));
         let rotation = match turned {
             None => Frame::identity().rotation,
             Some(turned) => turned?.rotation(),
@@ -199,11 +201,11 @@ fn quaternion_rotation(entries: &[Value; 4]) -> [[Value; 3]; 3] {
                 others.fold(product(0, 0).plus(product(i, i)), |sum, k| sum.minus(product(k, k)))
             } else {
                 let k = 6 - i - j;
-                let turn = product(0, k);
+                let term = product(0, k);
                 // −w z in row x, column y, and cyclically.
                 let forward = j == i % 3 + 1;
-                let turn = if forward { turn.negated() } else { turn };
-                double(product(i, j).plus(turn))
+                let term = if forward { term.negated() } else { term };
+                double(product(i, j).plus(term))
             };
             entry.over(square.clone())
         })

@@ -26,7 +26,7 @@ pub(super) fn properties<'a>(
     context: &mut Context,
 ) -> Vec<ItemProperties<'a>> {
     let mut fields = vec![Fields::default(); items.len()];
-    let places = places(items);
+    let indices = indices(items);
     for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
         refuse_points(block, context);
         if !matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
@@ -35,7 +35,7 @@ pub(super) fn properties<'a>(
         if !block.after_route && def.route.is_some() {
             context.diagnostics.error(block.at, "write the block of a hinge after the route");
         }
-        assign(block, def, items, &places, &mut fields, context);
+        assign(block, def, items, &indices, &mut fields, context);
     }
     let floats = floats(items);
     let read = |(index, (item, fields)): (usize, (&RouteItem, Fields<'a>))| {
@@ -61,13 +61,13 @@ fn refuse_points(block: &BlockSyntax, context: &mut Context) {
 }
 
 /// Returns the index of the first item with each name.
-fn places(items: &[RouteItem]) -> HashMap<String, usize> {
+fn indices(items: &[RouteItem]) -> HashMap<String, usize> {
     let is_end = |item: &RouteItem| matches!(item, RouteItem::Moving { .. });
     let mut names: Vec<_> = items.iter().enumerate().rev().collect();
     // Of two items with one name, which is an error, the one that can have a block.
     names.sort_by_key(|(_, item)| !is_end(item));
-    let place = |(index, item): (usize, &RouteItem)| Some((item.name()?.to_string(), index));
-    names.into_iter().filter_map(place).collect()
+    let named = |(index, item): (usize, &RouteItem)| Some((item.name()?.to_string(), index));
+    names.into_iter().filter_map(named).collect()
 }
 
 /// Returns whether the chain has a floating base.
@@ -80,15 +80,15 @@ fn assign<'a>(
     block: &'a BlockSyntax,
     def: &ChainSyntax,
     items: &[RouteItem],
-    places: &HashMap<String, usize>,
+    indices: &HashMap<String, usize>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
 ) {
     // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
     for name in &block.names {
-        let place = places.get(&name.to_string()).copied();
-        let Some(index) = target(block, name, place, def, items, context) else { continue };
+        let found = indices.get(&name.to_string()).copied();
+        let Some(index) = target(block, name, found, def, items, context) else { continue };
         let (known, owner) = match &items[index] {
             RouteItem::Hinge { kind, spec, .. } => (hinge::fields(spec), kind.name.to_owned()),
             RouteItem::Body { .. } => {
@@ -115,12 +115,12 @@ fn assign<'a>(
 fn target(
     block: &BlockSyntax,
     name: &Ident,
-    place: Option<usize>,
+    found: Option<usize>,
     def: &ChainSyntax,
     items: &[RouteItem],
     context: &mut Context,
 ) -> Option<usize> {
-    let Some(index) = place else {
+    let Some(index) = found else {
         unknown_name(block, name, def, items, context);
         return None;
     };

@@ -13,8 +13,8 @@ pub(super) fn references(def: &ChainSyntax, items: &[RouteItem]) -> References {
             _ => false,
         })
     };
-    let behind = def.blocks.iter().filter(|block| !body::is_type(block));
-    let named = behind.flat_map(|block: &BlockSyntax| {
+    let after_types = def.blocks.iter().filter(|block| !body::is_type(block));
+    let named = after_types.flat_map(|block: &BlockSyntax| {
         let on = block.fields.iter().find(|field| field.name == "on");
         let on = on.and_then(|field| field.value.as_ref()?.word());
         let names =

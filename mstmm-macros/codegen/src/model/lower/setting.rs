@@ -78,14 +78,14 @@ fn method(context: &mut Context, written: &ValueSyntax) -> Option<SolutionMethod
 fn results(context: &mut Context, written: &ValueSyntax) -> Option<Results> {
     let chosen = chosen(context, written, &Choices { known: RESULTS, example: "[z, poses]" })?;
     let mut results = Results::NONE;
-    chosen.into_iter().for_each(|place| *place(&mut results) = true);
+    chosen.into_iter().for_each(|result| *result(&mut results) = true);
     Some(results)
 }
 
 fn answers(context: &mut Context, written: &ValueSyntax) -> Option<Vec<Answer>> {
-    let asked: Vec<(&str, Answer)> =
+    let known: Vec<(&str, Answer)> =
         Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
-    chosen(context, written, &Choices { known: &asked, example: "[bias_efforts]" })
+    chosen(context, written, &Choices { known: &known, example: "[bias_efforts]" })
 }
 
 /// Keywords that may be chosen.

@@ -38,8 +38,10 @@ impl Context<'_> {
         expected: &Quantity,
     ) -> Option<[Value; 3]> {
         let mut vector = zeros();
-        let shifts = self.space.shifts();
-        for (&axis, part) in shifts.iter().zip(self.components(written, shifts.len(), expected)?) {
+        let translations = self.space.translations();
+        for (&axis, part) in
+            translations.iter().zip(self.components(written, translations.len(), expected)?)
+        {
             vector[axis] = part;
         }
         Some(vector)
@@ -47,14 +49,16 @@ impl Context<'_> {
 
     /// Reads a vector of rotations in the chain's dimension after `=`: a vector in space, a number
     /// in a plane chain.
-    pub fn written_turning(
+    pub fn written_rotational(
         &mut self,
         written: &ValueSyntax,
         expected: &Quantity,
     ) -> Option<[Value; 3]> {
         let mut vector = zeros();
-        let turns = self.space.turns();
-        for (&axis, part) in turns.iter().zip(self.components(written, turns.len(), expected)?) {
+        let rotations = self.space.rotations();
+        for (&axis, part) in
+            rotations.iter().zip(self.components(written, rotations.len(), expected)?)
+        {
             vector[axis] = part;
         }
         Some(vector)
@@ -72,10 +76,10 @@ impl Context<'_> {
         }
         match written {
             ValueSyntax::Vector(list) => self.vector(list, count, expected),
-            ValueSyntax::Turned(_, turn) => {
+            ValueSyntax::Turned(_, orientation) => {
                 let message =
                     format!("a vector has no orientation: write only `{}`", brackets(count));
-                self.refuse(turn.extent(), message)
+                self.refuse(orientation.extent(), message)
             }
             ValueSyntax::Form(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
@@ -113,7 +117,7 @@ impl Context<'_> {
     ) -> Option<Vec<Value>> {
         let found = list.entries.len();
         if found != count {
-            let message = if count == self.space.shifts().len() {
+            let message = if count == self.space.translations().len() {
                 let chain = self.of_chain();
                 format!("expected {count} components of a vector{chain}, found {found}")
             } else {

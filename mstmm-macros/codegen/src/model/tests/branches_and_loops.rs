@@ -61,7 +61,7 @@ fn the_rest_of_a_route_follows_on_an_arrow() {
 }
 
 #[test]
-fn a_branch_is_a_chain_of_its_own() {
+fn a_branch_is_a_separate_chain() {
     for start in ["crank", "Rod crank", "crank.tip", "crank at tip", "branch crank"] {
         let first = start.split([' ', '.']).next().expect("a word");
         let message = branches_at("crank");

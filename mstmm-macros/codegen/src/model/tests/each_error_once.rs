@@ -48,7 +48,7 @@ fn every_field_of_a_hinge_is_judged_on_its_own() {
         "torque = 1 kg; motion = 3; limits = 1; limit_stiffness = 0; limit_damping = -1;",
         &[
             ("kg", "expected a torque, found a mass"),
-            ("3", "expected `input` …"),
+            ("3", "expected `motion = input`, …"),
             ("1", "expected two limits `[lowest, highest]`, found a number"),
             ("0", "the limit stiffness must be positive"),
             ("-1", "a damping cannot be negative"),
@@ -63,7 +63,7 @@ fn a_missing_field_hides_no_wrong_one() {
         "limits = [3, 1]; friction = -1;",
         &[
             ("limits", "`limits` needs `limit_stiffness` as well"),
-            ("[3, 1]", "… must be below the second one"),
+            ("[3, 1]", "… must be less than the second"),
             ("friction", "`friction` needs `friction_speed` as well"),
             ("-1", "friction cannot be negative"),
         ],

@@ -17,7 +17,7 @@ fn expect_plane(from: &str, to: &str, errors: &[(&str, &str)]) {
 }
 
 #[test]
-fn nothing_leads_out_of_the_plane() {
+fn plane_chains_have_two_components() {
     expect_plane(
         "gravity = [0, -9.8]",
         "gravity = [0, -9.8, 0]",
@@ -65,7 +65,7 @@ fn inertias_in_the_plane_are_numbers() {
 }
 
 #[test]
-fn nothing_leads_off_the_line() {
+fn line_chains_have_one_component() {
     let line = |hinge: &str, fields: &str, more: &str| {
         format!(
             "line chain Train {{

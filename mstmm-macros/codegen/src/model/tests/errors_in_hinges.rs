@@ -13,7 +13,7 @@ fn expect_hinge(kind: &str, properties: &str, errors: &[(&str, &str)]) {
 }
 
 #[test]
-fn parentheses_hold_what_a_kind_needs() {
+fn parentheses_contain_what_a_kind_needs() {
     expect_hinge("slider(x, y)", "", &[("(x, y)", "a slider has one axis, such as `slider(x)`")]);
     expect_hinge(
         "screw(x, y, z)",
@@ -178,7 +178,7 @@ fn passive_numbers_give_no_energy() {
         "pin",
         "limits = [2, 1]; limit_stiffness = 0; limit_damping = -1;",
         &[
-            ("[2, 1]", "… must be below the second one"),
+            ("[2, 1]", "… must be less than the second"),
             ("0", "the limit stiffness must be positive"),
             ("-1", "a damping cannot be negative"),
         ],
@@ -205,7 +205,7 @@ fn passive_numbers_give_no_energy() {
 }
 
 #[test]
-fn a_given_motion_stands_alone() {
+fn a_prescribed_motion_excludes_other_drives() {
     let message = |name: &str| {
         format!(
             "`{name}` has no effect: `motion = input` prescribes the motion of \
@@ -218,12 +218,12 @@ fn a_given_motion_stands_alone() {
         &[("torque", &message("torque")), ("start_rate", &message("start_rate"))],
     );
     expect_hinge("slider", "motion = input; start = 1;", &[("start", &message("start"))]);
-    expect_hinge("slider", "motion = 3;", &[("3", "expected `input` …")]);
+    expect_hinge("slider", "motion = 3;", &[("3", "expected `motion = input`, …")]);
     expect_hinge("weld", "motion = input;", &[("motion", "a weld has no field `motion`")]);
 }
 
 #[test]
-fn elastic_hinges_do_not_stand_upright() {
+fn elastic_hinges_have_no_right_angle() {
     let message = "the pitch angle of an elastic hinge …";
     expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(0, 90, 0) deg;", &[("90", message)]);
     expect_hinge(

@@ -97,12 +97,12 @@ fn numbers_are_finite() {
 }
 
 #[test]
-fn parentheses_hold_one_number() {
+fn parentheses_contain_one_number() {
     expect_mass("(1 2)", &[("2", "expected an operator or `)`, found `2`")]);
 }
 
 #[test]
-fn errors_beside_each_other_are_all_reported() {
+fn adjacent_errors_are_all_reported() {
     expect_mass(
         "(1 mm + paylod) * MASS + 2 KG",
         &[
@@ -213,7 +213,7 @@ fn the_expected_kind_decides_which_term_is_wrong() {
 }
 
 #[test]
-fn input_stands_alone() {
+fn input_is_a_whole_value() {
     let torque = "torque = input;";
     expect(torque, "torque = input N*m;", &[("N*m", "`input` has no unit: remove the unit")]);
     let message = "`input` cannot be part of a formula: write it as the whole value of a field";

@@ -107,7 +107,7 @@ fn inertias_are_well_formed() {
 }
 
 #[test]
-fn inertias_are_those_of_real_bodies() {
+fn inertias_are_physical() {
     let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
     expect(
         written,
@@ -158,7 +158,7 @@ fn properties_fit_their_owner() {
 }
 
 #[test]
-fn parts_stand_in_their_places() {
+fn parts_are_in_their_places() {
     expect(
         "hinge wrist {",
         "body Foo { mass = 1 kg; com = [0, 0, 0]; } hinge wrist {",

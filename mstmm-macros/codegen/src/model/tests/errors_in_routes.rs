@@ -191,7 +191,7 @@ fn the_name_comes_last() {
 }
 
 #[test]
-fn what_a_kind_takes_stands_in_parentheses_behind_it() {
+fn arguments_of_a_kind_follow_it_in_parentheses() {
     let message = "write `pin(z) j`";
     let rest = "-> Rod rod; hinge j { start = 1; }";
     expect_rods(&format!("ground -> pin j(z) {rest}"), &[("(z)", message)]);
@@ -225,7 +225,7 @@ fn stops_are_joined_by_arrows() {
 }
 
 #[test]
-fn what_stands_beside_the_route_is_no_second_one() {
+fn items_next_to_the_route_are_not_a_second_route() {
     let route = "ground -> pin j -> Rod rod;";
     for (stray, word) in [
         ("use x;", "use"),

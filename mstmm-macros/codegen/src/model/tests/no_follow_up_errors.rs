@@ -66,7 +66,7 @@ fn misspelt_items_are_read_as_what_is_meant() {
 }
 
 #[test]
-fn stops_behind_an_error_are_known() {
+fn route_items_after_an_error_are_known() {
     let rest = "hinge b, c { start = 1; } load l { on = two; force = input; }";
     expect_rods(
         &format!("ground -> pin a -> Rod one pin b -> Rod two -> pin c -> Rod three; {rest}"),
@@ -106,7 +106,7 @@ fn a_token_has_one_error() {
     // A name that is forbidden and used twice.
     expect_rods(
         "ground -> pin q -> Rod x -> pin q -> Rod y;",
-        &[("q", "`q` is a method …"), ("q", "the name `q` is used twice")],
+        &[("q", "`q` is reserved …"), ("q", "the name `q` is used twice")],
     );
     expect_rods(
         "param ground = 1; ground -> pin j -> Rod ground;",
@@ -115,7 +115,7 @@ fn a_token_has_one_error() {
 }
 
 #[test]
-fn a_hinge_that_joins_nothing_needs_no_output() {
+fn a_hinge_without_a_second_body_needs_no_output() {
     let body = |output: &str| {
         format!(
             "body Bar {{ mass = 1; com = [1, 0, 0]; {output} inertia = diag(1, 1, 1) about com; }}"
@@ -146,7 +146,7 @@ fn a_type_gives_its_bodies_no_further_error() {
 #[test]
 fn a_refused_name_may_be_the_unknown_one() {
     let refused = |name: &'static str| match name {
-        "points" => (name, "`points` is a method …"),
+        "points" => (name, "`points` is reserved …"),
         _ => (name, "`type` is a keyword of Rust and cannot be a name"),
     };
     for name in ["points", "type"] {

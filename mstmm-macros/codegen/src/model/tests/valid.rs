@@ -244,14 +244,14 @@ fn a_ball_starts_turned_and_driven() {
 }
 
 #[test]
-fn what_is_left_away_is_zero() {
+fn omitted_values_are_zero() {
     let (chain, _) = chain(&edited(&[("gravity = [0, -9.8, 0] m/s^2;", "")]));
     assert_eq!(chain.gravity, Source::Nothing);
     assert_eq!(chain.bodies[BodyId(1)].output, Frame::identity());
 }
 
 #[test]
-fn several_chains_stand_in_one_call() {
+fn one_call_has_several_chains() {
     let twice = format!("{PENDULUM}{}", PENDULUM.replace("chain Pendulum", "chain Other"));
     assert_eq!(super::read(twice.parse().expect("tokens")).expect("good").len(), 2);
 }

@@ -22,7 +22,7 @@ fn stiffness(hinge: &Hinge) -> Vec<f64> {
 }
 
 #[test]
-fn a_weld_lets_nothing_free() {
+fn a_weld_has_no_degrees_of_freedom() {
     let weld = hinge("weld", "");
     assert_eq!(weld.kind, HingeKind::Weld);
     assert_eq!(weld.drive, Drive::Efforts(Vec::new()));
@@ -133,7 +133,7 @@ fn a_planar_hinge_has_a_normal() {
 }
 
 #[test]
-fn a_floating_hinge_can_stand_on_the_route() {
+fn a_floating_hinge_can_be_on_the_route() {
     let floating = hinge(
         "floating",
         "start = [1, 2, 3] m turned quaternion(0, 0, 3, 4); start_velocity = [1, 0, 0] m/s;

@@ -37,7 +37,7 @@ fn expect_hinge(kind: &str, fields: &str, expected: &[&str]) {
 }
 
 #[test]
-fn an_angle_of_more_than_a_turn_has_a_unit() {
+fn an_angle_of_more_than_a_revolution_has_a_unit() {
     // Two hinges share the field: there is one warning.
     expect_hinge("pin", "start = 30;", &["30"]);
     expect_hinge("pin", "start = -30.5;", &["30.5"]);

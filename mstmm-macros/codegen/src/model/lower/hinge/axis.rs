@@ -38,14 +38,14 @@ pub(super) fn axis(written: &ValueSyntax, context: &mut Context) -> Option<[Valu
     if let ValueSyntax::Vector(_) = written {
         return context.written_vector(written, NUMBER);
     }
-    let known = word(written).filter(|(_, index)| context.space.shifts().contains(index));
+    let known = word(written).filter(|(_, index)| context.space.translations().contains(index));
     let Some((sign, index)) = known else {
-        let ways = match context.space {
+        let expected = match context.space {
             Dimension::Space => "`x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`",
             Dimension::Plane => "`x`, `y`, `-x`, `-y` or `[a, b]`",
             Dimension::Line => "`x` or `-x`",
         };
-        return context.refuse(written.extent(), format!("expected an axis: {ways}"));
+        return context.refuse(written.extent(), format!("expected an axis: {expected}"));
     };
     // `0 − x` instead of `−x`: the sign of a zero has no meaning here.
     Some(if sign < 0.0 { unit(index).map(Value::negated) } else { unit(index) })

@@ -1,8 +1,8 @@
 //! The names of the fields of a hinge, by the groups of its degrees of freedom.
 
 use crate::model::lower::dimension::{
-    ANGLE, DAMPING, FORCE, INERTIA, LENGTH, MASS, Quantity, RATE, STIFFNESS, TORQUE,
-    TURNING_DAMPING, TURNING_STIFFNESS, VELOCITY,
+    ANGLE, DAMPING, FORCE, INERTIA, LENGTH, MASS, Quantity, RATE, ROTATIONAL_DAMPING,
+    ROTATIONAL_STIFFNESS, STIFFNESS, TORQUE, VELOCITY,
 };
 use crate::model::{DofGroup, HingeSpec};
 
@@ -30,8 +30,8 @@ pub(crate) struct FieldNames {
     pub limit_damping: &'static str,
 }
 
-/// Of shifts.
-const SHIFTS: FieldNames = FieldNames {
+/// Of translations.
+const TRANSLATION_FIELDS: FieldNames = FieldNames {
     start_rate: "start_velocity",
     effort: "force",
     stiffness: "stiffness",
@@ -44,11 +44,12 @@ const SHIFTS: FieldNames = FieldNames {
     limit_damping: "limit_damping",
 };
 
-/// Of turns.
-const TURNS: FieldNames = FieldNames { start_rate: "start_rate", effort: "torque", ..SHIFTS };
+/// Of rotations.
+const ROTATION_FIELDS: FieldNames =
+    FieldNames { start_rate: "start_rate", effort: "torque", ..TRANSLATION_FIELDS };
 
 /// Of rotations in a hinge that also has translations.
-const TURNS_BESIDE_SHIFTS: FieldNames = FieldNames {
+const PREFIXED_ROTATION_FIELDS: FieldNames = FieldNames {
     stiffness: "turning_stiffness",
     damping: "turning_damping",
     armature: "turning_armature",
@@ -57,7 +58,7 @@ const TURNS_BESIDE_SHIFTS: FieldNames = FieldNames {
     limits: "turning_limits",
     limit_stiffness: "turning_limit_stiffness",
     limit_damping: "turning_limit_damping",
-    ..TURNS
+    ..ROTATION_FIELDS
 };
 
 /// What the fields of a group measure.
@@ -70,7 +71,7 @@ pub(super) struct Measures {
     pub inertia: &'static Quantity,
 }
 
-const OF_SHIFTS: Measures = Measures {
+const TRANSLATION_MEASURES: Measures = Measures {
     strain: LENGTH,
     rate: VELOCITY,
     effort: FORCE,
@@ -79,12 +80,12 @@ const OF_SHIFTS: Measures = Measures {
     inertia: MASS,
 };
 
-const OF_TURNS: Measures = Measures {
+const ROTATION_MEASURES: Measures = Measures {
     strain: ANGLE,
     rate: RATE,
     effort: TORQUE,
-    stiffness: TURNING_STIFFNESS,
-    damping: TURNING_DAMPING,
+    stiffness: ROTATIONAL_STIFFNESS,
+    damping: ROTATIONAL_DAMPING,
     inertia: INERTIA,
 };
 
@@ -92,17 +93,17 @@ const OF_TURNS: Measures = Measures {
 pub(crate) fn groups(
     spec: &'static HingeSpec,
 ) -> impl Iterator<Item = (&'static DofGroup, &'static FieldNames)> {
-    let beside_shifts = spec.groups.len() > 1;
-    spec.groups.iter().map(move |group| match (group.turns, beside_shifts) {
-        (false, _) => (group, &SHIFTS),
-        (true, false) => (group, &TURNS),
-        (true, true) => (group, &TURNS_BESIDE_SHIFTS),
+    let has_translations = spec.groups.len() > 1;
+    spec.groups.iter().map(move |group| match (group.rotational, has_translations) {
+        (false, _) => (group, &TRANSLATION_FIELDS),
+        (true, false) => (group, &ROTATION_FIELDS),
+        (true, true) => (group, &PREFIXED_ROTATION_FIELDS),
     })
 }
 
 /// What the fields of a group measure.
 pub(super) fn measures(group: &DofGroup) -> &'static Measures {
-    if group.turns { &OF_TURNS } else { &OF_SHIFTS }
+    if group.rotational { &ROTATION_MEASURES } else { &TRANSLATION_MEASURES }
 }
 
 /// The fields of a hinge on the route.

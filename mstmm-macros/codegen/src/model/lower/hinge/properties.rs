@@ -71,23 +71,23 @@ fn position(
     written: &ValueSyntax,
     context: &mut Context,
 ) -> Option<Vec<Value>> {
-    let shifts = |written, group: &DofGroup, context: &mut Context| {
+    let translations = |written, group: &DofGroup, context: &mut Context| {
         context.components(written, group.rates.len(), measures(group).strain)
     };
     match spec.groups {
         [group] if group.representation == Representation::Quaternion => {
             Some(context.written_orientation(written)?.quaternion().to_vec())
         }
-        [group] => shifts(written, group, context),
+        [group] => translations(written, group, context),
         [first, second, ..] => match written {
-            ValueSyntax::Turned(position, turn) => {
-                let (way, turned) =
-                    (shifts(position, first, context), turned(second, turn, context));
-                Some([way?, turned?].concat())
+            ValueSyntax::Turned(position, orientation) => {
+                let (position, turned) =
+                    (translations(position, first, context), turned(second, orientation, context));
+                Some([position?, turned?].concat())
             }
             other => {
                 let mut coordinates = zero_position(spec);
-                coordinates.splice(first.coordinates.clone(), shifts(other, first, context)?);
+                coordinates.splice(first.coordinates.clone(), translations(other, first, context)?);
                 Some(coordinates)
             }
         },
@@ -96,16 +96,20 @@ fn position(
 }
 
 /// Reads the coordinates of rotations after `turned`.
-fn turned(group: &DofGroup, turn: &OrientationSyntax, context: &mut Context) -> Option<Vec<Value>> {
+fn turned(
+    group: &DofGroup,
+    orientation: &OrientationSyntax,
+    context: &mut Context,
+) -> Option<Vec<Value>> {
     match group.representation {
-        Representation::Numbers => context.angle(turn).map(|angle| vec![angle]),
-        Representation::Quaternion => Some(context.turned(turn)?.quaternion().to_vec()),
-        Representation::Angles => match context.turned(turn)? {
+        Representation::Numbers => context.angle(orientation).map(|angle| vec![angle]),
+        Representation::Quaternion => Some(context.turned(orientation)?.quaternion().to_vec()),
+        Representation::Angles => match context.turned(orientation)? {
             Orientation::Rpy(angles) => Some(angles.to_vec()),
             Orientation::Quaternion(_) => {
                 let message = "the rotation of an elastic hinge is given by angles: write \
                                `rpy(roll, pitch, yaw)`";
-                context.refuse(turn.extent(), message)
+                context.refuse(orientation.extent(), message)
             }
         },
     }
