@@ -126,7 +126,7 @@ fn a_closed_chain_is_the_tree_of_its_hinges() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_and_leaves_the_efforts() {
+fn values_that_are_not_finite_leave_the_efforts_unchanged() {
     let (arm, state, inputs) = arm::<f64>(&mut Random::new(1));
     let mut efforts = nalgebra::SVector::from([7.0; 6]);
     for number in [f64::NAN, f64::INFINITY] {

@@ -99,7 +99,7 @@ fn a_loop_in_space_moves_as_in_the_plane() {
 
 /// The redundant directions leave forces normal to the plane and moments in the plane undetermined.
 #[test]
-fn what_is_undetermined_is_out_of_the_plane() {
+fn undetermined_wrenches_are_out_of_the_plane() {
     let chain = FourBarInSpace::<f64>::new();
     let mut at = chain.workspace();
     chain.solve_into(&closed(&chain), &chain.no_inputs(), &mut at).expect("a regular loop");
@@ -153,7 +153,7 @@ mstmm_chain! {
 }
 
 #[test]
-fn what_does_not_reach_is_not_assembled() {
+fn a_chain_that_cannot_reach_is_not_assembled() {
     let chain = TooShort::<f64>::new();
     let mut state = chain.initial_state();
     let refused = chain.assemble(&mut state, &chain.no_inputs());

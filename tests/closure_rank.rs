@@ -172,12 +172,12 @@ macro_rules! same_as_written {
 }
 
 #[test]
-fn parameters_and_constants_give_what_numbers_give() {
+fn parameters_and_constants_equal_literals() {
     same_as_written!(f64);
 }
 
 #[test]
-fn parameters_and_constants_give_what_numbers_give_in_single_precision() {
+fn parameters_and_constants_equal_literals_in_single_precision() {
     same_as_written!(f32);
 }
 

@@ -86,7 +86,7 @@ fn a_free_pair_keeps_its_momenta_and_its_energy() {
 
 /// dE/dt = −Σ c ṡ², exactly, by dual numbers; so the energy only falls.
 #[test]
-fn dampers_take_what_they_should() {
+fn dampers_dissipate_the_expected_energy() {
     let (mut chain, mut dual) = (Pair::<f64>::new(), Pair::<Dual>::new());
     for (drag, tolerance) in [(0.0, 1e-12), (1.0, 1e-12), (5.0, 1e-12)] {
         chain.set_drag(drag).unwrap();

@@ -173,7 +173,7 @@ fn energy_changes_by_the_power_of_the_motors() {
 }
 
 #[test]
-fn every_body_is_in_balance_with_what_is_reported_at_its_ends() {
+fn every_body_is_in_balance_with_the_wrenches_at_its_ends() {
     fn check<C: Driven>(name: &str) {
         in_many_states::<C>(name, |chain, state, inputs| {
             let points = solved(chain, state, inputs).points;
@@ -316,7 +316,7 @@ fn a_floating_chain_keeps_its_momenta_without_gravity() {
 }
 
 #[test]
-fn what_is_set_in_a_state_is_read_back() -> Result<(), Error> {
+fn values_set_in_a_state_are_read_back() -> Result<(), Error> {
     let mut held = Held::<f64>::new().initial_state();
     held.base_mut().set_angle(0.3).set_rate(-0.7);
     held.elbow_mut().set_bryan_angles([0.1, -0.2, 0.5]).set_rate(Vector3::new(1.0, 2.0, 3.0));

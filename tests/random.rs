@@ -185,7 +185,7 @@ const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 /// Puts each bad number at every place of a state and of what drives a chain: no result stays, and the next
 /// good state has all of them again.
-fn refuses_what_is_not_finite<C: Printed>(name: &str, seed: u64)
+fn refuses_values_that_are_not_finite<C: Printed>(name: &str, seed: u64)
 where
     C::Workspace: Clone + PartialEq,
 {
@@ -259,10 +259,10 @@ macro_rules! seeds {
         )*
 
         #[test]
-        fn what_is_not_finite_is_refused() {
+        fn values_that_are_not_finite_are_refused() {
             $(
-                refuses_what_is_not_finite::<chains::$riccati<f64>>(stringify!($riccati), $seed);
-                refuses_what_is_not_finite::<chains::$transfer<f64>>(stringify!($transfer), $seed);
+                refuses_values_that_are_not_finite::<chains::$riccati<f64>>(stringify!($riccati), $seed);
+                refuses_values_that_are_not_finite::<chains::$transfer<f64>>(stringify!($transfer), $seed);
             )*
         }
     };

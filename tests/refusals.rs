@@ -233,7 +233,7 @@ both! { Driven DrivenByTransfer [Pin, Ball] {
 } }
 
 /// Puts each bad number at every place of state and inputs.
-macro_rules! refuses_what_is_not_finite {
+macro_rules! refuses_values_that_are_not_finite {
     ($($name:ident)*) => { $(
         let chain = $name::<f64>::new();
         let state = chain.random_state(&mut Random::new(3));
@@ -284,8 +284,8 @@ macro_rules! refuses_what_is_not_finite {
 }
 
 #[test]
-fn what_is_not_finite_is_refused() {
-    refuses_what_is_not_finite! { Driven }
+fn values_that_are_not_finite_are_refused() {
+    refuses_values_that_are_not_finite! { Driven }
 }
 
 mstmm_chain! {
@@ -313,13 +313,13 @@ fn a_refused_rope_leaves_no_changes() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_by_transfer() {
-    refuses_what_is_not_finite! { DrivenByTransfer }
+fn values_that_are_not_finite_are_refused_by_transfer() {
+    refuses_values_that_are_not_finite! { DrivenByTransfer }
 }
 
 /// A state so large that sums overflow is not a singular hinge.
 #[test]
-fn what_overflows_is_not_singular() {
+fn overflow_is_not_reported_as_singular() {
     let chain = Driven::<f64>::new();
     let mut state = chain.initial_state();
     state.rates_mut().iter_mut().for_each(|rate| *rate = 1e300);

@@ -89,7 +89,7 @@ macro_rules! chosen {
             }
 
             #[test]
-            fn what_is_asked_for_is_what_everything_has() {
+            fn selected_results_equal_all_results() {
                 check!(Poses without &[VELOCITIES, Z, ENERGIES]);
                 check!(Velocities without &[POSES, Z, ENERGIES]);
                 check!(Z without &[POSES, VELOCITIES, ENERGIES]);

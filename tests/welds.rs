@@ -136,7 +136,7 @@ fn welded_bodies_move_as_one_and_each_part_is_in_balance() {
 
 /// The last weld carries only the last part: its force is m (a − g) of this part.
 #[test]
-fn a_weld_passes_on_what_moves_the_rest() {
+fn a_weld_transmits_the_force_that_moves_the_rest() {
     let chain = Welded::<f64>::new();
     let state = chain.random_state(&mut Random::new(3));
     let mut at = chain.workspace();

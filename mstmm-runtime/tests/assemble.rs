@@ -67,7 +67,7 @@ fn a_chain_that_cannot_be_closed_is_refused_and_unchanged() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_at_once() {
+fn values_that_are_not_finite_are_refused_at_once() {
     for broken in [f64::NAN, f64::INFINITY] {
         let (mut state, mut corrections) = (start(1.0), 0);
         let refused = assemble(&mut state, |state| {

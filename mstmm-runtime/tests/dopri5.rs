@@ -274,7 +274,7 @@ fn a_motion_that_ends_is_followed_to_its_end() {
 }
 
 #[test]
-fn what_is_not_finite_further_on_shortens_the_step_until_it_cannot() {
+fn stages_that_are_not_finite_shorten_the_step() {
     let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(0.1, 0.0));
     let broken_from_one_on = |t: f64, _: &State<f64, 1, 1>| if t > 1.0 { f64::NAN } else { 0.0 };
     let mut integrator = Dopri5::new(1e-6, 1e-6);

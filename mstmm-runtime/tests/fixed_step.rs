@@ -91,7 +91,7 @@ macro_rules! common_tests {
             }
 
             #[test]
-            fn advance_refuses_what_never_ends() {
+            fn advance_refuses_endless_intervals() {
                 let chain = Pendulum::<f64>::new();
                 let start = Pendulum::at(1.0, 0.0);
                 let refused = |h: f64, end: f64| {

@@ -102,7 +102,7 @@ fn points_on_a_line() {
 }
 
 #[test]
-fn closures_tell_what_is_redundant() {
+fn closures_report_redundant_directions() {
     let none = LoopClosure::<f64, 6>::default();
     assert_eq!((none.redundant(), none.undetermined()), (0, &[[0.0; 6]; 6]));
     let across = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];

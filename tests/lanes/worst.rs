@@ -134,7 +134,7 @@ fn fails<C: Sample<Scalar = W>>(case: &Case<C>, expected: Error, name: &str) {
 }
 
 #[test]
-fn what_is_not_finite_in_one_lane_fails_for_all() {
+fn one_lane_that_is_not_finite_fails_for_all() {
     for lane in 0..LANES {
         let (case, _) = cases::<Balls<W>, Balls<f64>>(5);
         assert!(case.chain.accelerations(&case.state, &case.inputs).is_ok());
@@ -156,7 +156,7 @@ fn what_is_not_finite_in_one_lane_fails_for_all() {
 }
 
 #[test]
-fn what_is_singular_in_one_lane_fails_for_all() {
+fn one_singular_lane_fails_for_all() {
     for thin in 0..LANES {
         let (mut case, _) = cases::<Thin<W>, Thin<f64>>(6);
         let thickness = W::from_lanes(|lane| if lane == thin { 1e-22 } else { 0.01 });
@@ -166,7 +166,7 @@ fn what_is_singular_in_one_lane_fails_for_all() {
 }
 
 #[test]
-fn what_one_lane_may_not_have_none_gets() {
+fn a_value_refused_in_one_lane_changes_none() {
     for odd in 0..LANES {
         let mut arm = Arm::<W>::new();
         arm.set_payload(W::constant(2.0)).expect("a payload");

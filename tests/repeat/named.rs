@@ -119,7 +119,7 @@ fn results_are_read_by_index() {
 }
 
 #[test]
-fn what_is_not_finite_is_found_everywhere() {
+fn values_that_are_not_finite_are_found_everywhere() {
     let chain = Arm::<f64>::new();
     let (state, inputs) = (chain.initial_state(), chain.no_inputs());
     let refused = |state: &ArmState<f64>, inputs: &ArmInputs<f64>| {

@@ -80,7 +80,7 @@ fn the_chains_that_are_changed_are_right() {
 }
 
 #[test]
-fn what_once_broke_it() {
+fn former_crashes() {
     for (name, text) in base::files("crashes", ".txt") {
         println!("{name}");
         check("crashes", &text);

@@ -43,7 +43,7 @@ fn written(procedure: &Procedure, arrays: &Arrays<f64>) -> Vec<Vec<Option<f64>>>
 }
 
 /// Puts NaN and infinities into every entry of the arguments of a chain.
-fn refuses_what_is_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>) {
+fn refuses_values_that_are_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>) {
     for (answer, procedure) in tested(twin) {
         let mut before = good.clone();
         let ran = run(procedure, &mut before);
@@ -77,9 +77,9 @@ fn every_entry_is_tested() {
     for seed in 0..24 {
         let Some(twins) = Twins::random(seed, Numbers::Written) else { continue };
         let [repeated, written] = twins.state::<f64>(0);
-        refuses_what_is_not_finite(seed, &twins.repeated, &repeated);
+        refuses_values_that_are_not_finite(seed, &twins.repeated, &repeated);
         if seed.is_multiple_of(4) {
-            refuses_what_is_not_finite(seed, &twins.written, &written);
+            refuses_values_that_are_not_finite(seed, &twins.written, &written);
         }
     }
 }

@@ -49,7 +49,7 @@ fn random_cases(
 }
 
 #[test]
-fn bodies_and_balls_transfer_what_is_reported() {
+fn bodies_and_balls_transfer_the_reported_z() {
     for (case, moving) in random_cases(|_| Hinges::Balls) {
         let apart = check_elements(&case, &moving);
         assert!(apart < ELEMENT, "{apart:e}");
@@ -57,7 +57,7 @@ fn bodies_and_balls_transfer_what_is_reported() {
 }
 
 #[test]
-fn bodies_and_pins_transfer_what_is_reported() {
+fn bodies_and_pins_transfer_the_reported_z() {
     let axes = |random: &mut Random| Hinges::Pins((0..BODIES).map(|_| axis(random)).collect());
     for (case, moving) in random_cases(axes) {
         let apart = check_elements(&case, &moving);
@@ -66,7 +66,7 @@ fn bodies_and_pins_transfer_what_is_reported() {
 }
 
 #[test]
-fn bodies_and_acceleration_hinges_transfer_what_is_reported() {
+fn bodies_and_acceleration_hinges_transfer_the_reported_z() {
     for (case, moving) in random_cases(|_| Hinges::Floating) {
         let apart = check_elements(&case, &moving);
         assert!(apart < ELEMENT, "{apart:e}");

@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_end_is_ended() {
+    fn endless_runs_are_ended() {
         let endless = Command::new("sleep").arg("60").spawn().expect("there is one");
         assert!(output(endless, Duration::from_millis(10)).is_err());
     }

@@ -1,6 +1,6 @@
 //! What a chain's solution says.
 
-/// What `solve_into` computes beside accelerations, efforts and, of a closed chain, its closure.
+/// The results that `solve_into` computes in addition to accelerations, efforts and loop closure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Results {
     /// Positions and orientations of all connection points.

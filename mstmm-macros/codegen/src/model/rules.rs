@@ -1,20 +1,20 @@
-//! What must hold of the numbers of bodies, springs and hinges, each rule once: the compiler judges known
-//! numbers by it, `rustc` those that depend on Rust constants, and setters those that depend on parameters.
+//! Rules on the values of bodies, springs and hinges. The compiler checks known values, `rustc`
+//! those that depend on Rust constants, and setters those that depend on parameters.
 
 use super::condition::{Bound, Condition};
 use super::lower::FieldNames;
 use super::{Body, Chain, Hinge, Limits, Passive, RepeatId, Spring, Value};
 use crate::diag::SpanRange;
 
-/// What must hold of a number.
+/// A rule on a value.
 pub(super) struct ValueRule {
     /// The bound that it must satisfy.
     pub must: Bound,
-    /// What the compiler says where it is not.
+    /// The compiler's message for a value that breaks the rule.
     message: &'static str,
-    /// The unit that the compiler shows a number with that comes from parameters.
+    /// The unit with which the compiler shows a value that depends on parameters.
     unit: Option<&'static str>,
-    /// What a setter calls the number.
+    /// The name of the value in the errors of setters.
     called: &'static str,
 }
 
@@ -42,17 +42,17 @@ const fn not_negative(message: &'static str, called: &'static str) -> ValueRule 
     ValueRule { must: Bound::NotBeNegative, message, unit: Some(""), called }
 }
 
-/// A rule on what acts in a hinge of itself.
+/// A rule on the springs, dampers, rotors, friction and limits of a hinge.
 pub(super) struct PassiveRule {
     /// The rule.
     pub rule: ValueRule,
-    /// The field that gives the number.
+    /// The field of the value.
     pub field: fn(&FieldNames) -> &'static str,
-    /// The number, if there is one.
+    /// The value, if the hinge has one.
     pub number: fn(&Passive) -> Option<&Value>,
 }
 
-/// All of them but that on the width of limits, which is no field's.
+/// All passive rules except that on the width of limits, which has no field.
 pub(super) const PASSIVE: &[PassiveRule] = &[
     PassiveRule {
         rule: STIFFNESS,
@@ -75,13 +75,13 @@ pub(super) const PASSIVE: &[PassiveRule] = &[
         number: |passive| Some(&passive.friction.as_ref()?.effort),
     },
     PassiveRule {
-        // By a speed of zero friction would divide by zero.
+        // Friction divides by this speed.
         rule: positive("the friction speed must be positive", "friction speed"),
         field: |names| names.friction_speed,
         number: |passive| Some(&passive.friction.as_ref()?.speed),
     },
     PassiveRule {
-        // Limits without stiffness are none.
+        // Limits without stiffness have no effect.
         rule: positive("the limit stiffness must be positive", "limit stiffness"),
         field: |names| names.limit_stiffness,
         number: |passive| Some(&passive.limits.as_ref()?.stiffness),
@@ -93,27 +93,27 @@ pub(super) const PASSIVE: &[PassiveRule] = &[
     },
 ];
 
-/// A number that is known at run time only, and what it must be then.
+/// A check of a value that is known only at run time.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// The number.
+    /// The value.
     pub value: Value,
     /// The bound, in addition to being finite.
     pub must: Bound,
-    /// The same in words.
+    /// The bound in words.
     pub reason: String,
     /// The repeated part that it belongs to.
     pub part: Option<RepeatId>,
 }
 
 impl ValueRule {
-    /// The rule for a number at this place of the description.
+    /// Returns the condition for a value at this span of the description.
     pub fn condition(&self, value: Value, at: SpanRange) -> Condition {
         Condition { shown: self.unit, ..Condition::new(value, self.must, at, self.message) }
     }
 
-    /// The rule for a number of an owner, such as a body, that is known at run time only; nothing where the
-    /// compiler has judged it.
+    /// Returns the check of a value of an owner, such as a body; `None` if the compiler has checked
+    /// the value.
     fn check(&self, value: &Value, owner: &str) -> Option<Check> {
         let ValueRule { must, called, .. } = self;
         let adjective = match must {
@@ -128,14 +128,14 @@ impl ValueRule {
 }
 
 impl Limits {
-    /// How far it is from the lowest to the highest.
+    /// Returns the distance between the limits.
     pub(super) fn width(&self) -> Value {
         self.high.clone().minus(self.low.clone())
     }
 }
 
 impl Chain {
-    /// What must hold of its numbers when parameters are set.
+    /// Returns the checks when parameters are set.
     pub fn checks(&self) -> Vec<Check> {
         let of = |part, own: Vec<Check>| own.into_iter().map(move |check| Check { part, ..check });
         let bodies = self.bodies.enumerate();
@@ -146,14 +146,14 @@ impl Chain {
         let springs =
             springs.flat_map(|spring| of(self.repeat_of_body(spring.body), of_spring(spring)));
         let mut checks: Vec<Check> = bodies.chain(hinges).chain(springs).collect();
-        // A loop over the times of a part writes to one slice of them.
+        // A loop over the repetitions of a part writes to one slice of checks.
         checks.sort_by_key(|check| check.part);
         checks
     }
 }
 
-/// That no moment is more than the sum of the others is not asked for: parameters are set one by one,
-/// and three moments could never be made larger then.
+/// Returns the checks of a body. The triangle inequality of the moments is not checked: parameters
+/// are set one by one, so three moments could never be increased.
 fn of_body(body: &Body) -> Vec<Check> {
     let owner = format!("body `{}`", body.name);
     let moments = body.inertia.tensor[..3].iter().filter_map(|one| MOMENT.check(one, &owner));
@@ -169,7 +169,7 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
             .filter_map(|PassiveRule { rule, number, .. }| rule.check(number(passive)?, &owner));
         let width = passive.limits.as_ref().map(Limits::width);
         for check in numbers.chain(width.and_then(|width| WIDTH.check(&width, &owner))) {
-            // The components of a ball's spring are one number.
+            // The components of a ball's spring are one value.
             let same =
                 |other: &Check| (&other.value, &other.reason) == (&check.value, &check.reason);
             if !checks.iter().any(same) {

@@ -143,7 +143,7 @@ fn powers_have_limits() {
 }
 
 #[test]
-fn what_is_no_number_says_what_it_is() {
+fn values_of_other_kinds_are_named() {
     expect_mass("[1, 2, 3] kg", &[("[1, 2, 3]", "expected a mass as a single number, …")]);
     expect_mass("\"2\"", &[("\"2\"", "write it without quotes")]);
     expect_mass("diag(1, 2, 3) kg", &[("diag(1, 2, 3)", "expected a mass, found `diag(…)`")]);
@@ -151,7 +151,7 @@ fn what_is_no_number_says_what_it_is() {
 }
 
 #[test]
-fn what_is_written_otherwise_elsewhere_is_known() {
+fn notations_of_other_languages_are_known() {
     expect_mass("1,5 kg", &[(",", "write decimals with a point")]);
     expect_mass("2**3 kg", &[("*", "write powers with `^`")]);
     expect_mass("2 kg**2", &[("*", "write powers with `^`")]);

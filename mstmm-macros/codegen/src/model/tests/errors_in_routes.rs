@@ -151,7 +151,7 @@ fn a_route_that_cannot_be_read_is_not_judged() {
 }
 
 #[test]
-fn what_is_called_otherwise_elsewhere_is_known() {
+fn names_of_other_programs_are_known() {
     let expect_kind = |kind: &str, meant: &str| {
         let message = format!("unknown kind of hinge `{kind}`; did you mean `{meant}`?");
         let route = format!("ground -> {kind} j -> Rod rod; hinge j {{ start = 1; }}");

@@ -40,7 +40,7 @@ fn an_unknown_field_may_be_the_missing_one() {
 }
 
 #[test]
-fn misspelt_items_are_read_as_what_is_meant() {
+fn misspelt_items_are_read_as_intended() {
     let item = |word: &str, meant: &str| format!("unknown item `{word}`; did you mean `{meant}`?");
     expect_rods(
         "ground -> pin j -> Rod rod; hing j { start = 1 kg; } lod l { on = rod; force = 1 kg; }",

@@ -4,7 +4,7 @@ use super::chain;
 use crate::model::{Bound, Check};
 
 #[test]
-fn setters_ask_for_what_the_compiler_asks_for() {
+fn setters_check_the_rules_of_the_compiler() {
     let (chain, _) = chain(
         "plane chain Door {
             gravity = [0, -9.8] m/s^2;

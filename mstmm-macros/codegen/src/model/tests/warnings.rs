@@ -108,7 +108,7 @@ fn the_default_of_a_parameter_is_judged_where_it_is_an_angle() {
 }
 
 #[test]
-fn what_has_a_unit_or_is_no_angle_is_fine() {
+fn angles_with_units_and_other_values_are_accepted() {
     expect_hinge("pin", "start = 30 deg; rest = 30 rad;", &[]);
     expect_hinge("pin", "start = 6.28; rest = -6.28; start_rate = 100; torque = 90;", &[]);
     expect_hinge("pin", "limits = [-90, 100] deg; limit_stiffness = 100;", &[]);
