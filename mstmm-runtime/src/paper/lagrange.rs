@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use super::algebra::{solve, sum};
 use crate::Scalar;
 
-/// A rod of a plane pendulum, and how it moves.
+/// A rod of a plane pendulum, and its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rod<T> {
     /// m in kg.

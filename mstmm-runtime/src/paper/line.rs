@@ -1,4 +1,4 @@
-//! What is left of the matrices for motion along x: 3×3, for z = \[ẍ, q_x, 1\] `[P, Eq. (7)]`, and
+//! The matrices for motion along x: 3×3, for z = \[ẍ, q_x, 1\] `[P, Eq. (7)]`, and
 //! the masses between springs of `[P, Section 4.4]`.
 
 use nalgebra::Matrix3;
@@ -39,7 +39,7 @@ pub fn acceleration_hinge_for_any_force<T: Scalar>(mass: T, load: T) -> Transfer
     Matrix3::new(o, inverse, load * inverse, o, one, o, o, o, one)
 }
 
-/// A mass between springs, and how it moves.
+/// A mass between springs, and its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass<T> {
     /// x in m.
@@ -50,7 +50,7 @@ pub struct Mass<T> {
     pub force: T,
     /// k in N/m of the spring at its inboard side; the first one leads to a wall at x = 0.
     pub stiffness: T,
-    /// c in N s/m of the damper beside it.
+    /// c in N s/m of the damper at its inboard side.
     pub damping: T,
 }
 

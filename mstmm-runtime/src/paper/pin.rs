@@ -8,15 +8,15 @@ use super::body::Rows;
 use super::state;
 use crate::Scalar;
 
-/// A pin and how it moves.
+/// A pin and its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pin<T> {
-    /// A_{j,O}, which turns components in the outboard frame, whose third axis ζ is the pin's, into
-    /// inertial ones.
+    /// A_{j,O}, which takes components in the outboard frame, whose third axis ζ is the pin's, to
+    /// inertial components.
     pub orientation: Matrix3<T>,
     /// Ω_{j,O} of the outboard frame in rad/s, inertial frame.
     pub angular_velocity: Vector3<T>,
-    /// Θ̇ in rad/s, of the outboard frame against the inboard one about ζ.
+    /// Θ̇ in rad/s, of the outboard frame relative to the inboard frame about ζ.
     pub rate: T,
 }
 
@@ -27,11 +27,11 @@ impl<T: Scalar> Pin<T> {
     }
 
     /// Ω̃_{j,O} A_{j,O} ω_r, the part of `[P, Eq. (36)]` that velocities make, in rad/s².
-    fn drift(&self) -> Vector3<T> {
+    fn bias(&self) -> Vector3<T> {
         tilde(&self.angular_velocity).times(&self.relative())
     }
 
-    /// H₂ A_{j,O}ᵀ m in N m, zero for the moment that a smooth pin passes on `[P, Eq. (35)]`.
+    /// H₂ A_{j,O}ᵀ m in N m, zero for the moment that a smooth pin transmits `[P, Eq. (35)]`.
     pub fn axial_moment(&self, moment: &Vector3<T>) -> T {
         dot(&axis(&self.orientation), moment)
     }
@@ -43,16 +43,16 @@ impl<T: Scalar> Pin<T> {
         angular_acceleration: &Vector3<T>,
         acceleration: T,
     ) -> Vector3<T> {
-        angular_acceleration + self.drift() + axis(&self.orientation) * acceleration
+        angular_acceleration + self.bias() + axis(&self.orientation) * acceleration
     }
 
-    /// Θ̈ in rad/s² from the state vectors before and behind the pin `[P, Eq. (44)]`.
+    /// Θ̈ in rad/s² from the state vectors at the input and the output of the pin `[P, Eq. (44)]`.
     pub fn acceleration(&self, input: &SVector<T, 13>, output: &SVector<T, 13>) -> T {
-        let [before, behind] = [input, output].map(|z| state::blocks(z).angular_acceleration());
-        dot(&axis(&self.orientation), &(behind - before - self.drift()))
+        let [inboard, outboard] = [input, output].map(|z| state::blocks(z).angular_acceleration());
+        dot(&axis(&self.orientation), &(outboard - inboard - self.bias()))
     }
 
-    /// All that its equations are made of `[P, Eq. (41)]`.
+    /// Returns the blocks of its equations `[P, Eq. (41)]`.
     ///
     /// `body` is the transfer matrix of its outboard body, and `next` is A_{j+1,O}: its third axis ζ₊
     /// is that of the next pin, which sits on that body. At a free end any axis is right, and this
@@ -71,7 +71,7 @@ impl<T: Scalar> Pin<T> {
             e3: last(&u33),
             e4: last(&u34),
             e5: with(
-                with(zeros(), (0, 0), &across.times(&self.drift())),
+                with(zeros(), (0, 0), &across.times(&self.bias())),
                 (2, 0),
                 &along.times(&u35),
             ),

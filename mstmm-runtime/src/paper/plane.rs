@@ -1,4 +1,4 @@
-//! What is left of the matrices for motion in the x, y plane: 7×7, for
+//! The matrices for motion in the x, y plane: 7×7, for
 //! z = \[ẍ, ÿ, Ω̇_z, m_z, q_x, q_y, 1\] `[P, Eq. (6)]`.
 
 use nalgebra::{SMatrix, Vector2};
@@ -16,20 +16,20 @@ pub fn cut<T: Scalar>(u: &TransferMatrix<T>) -> TransferMatrix<T, 7> {
     pick(u, &ENTRIES)
 }
 
-/// What a body in the plane is, in its own frame, whose origin is its input I.
+/// The constant properties of a body in the plane, in its own frame with the origin at its input I.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T> {
     /// m in kg.
     pub mass: T,
-    /// l_IC, the centre of mass as seen from I, in m.
+    /// l_IC in m, the vector from I to the centre of mass.
     pub com: Vector2<T>,
-    /// l_IO, the output as seen from I, in m.
+    /// l_IO in m, the vector from I to the output.
     pub output: Vector2<T>,
     /// J_I about I in kg m².
     pub inertia: T,
 }
 
-/// How a body in the plane moves and the loads on it except the forces at its ends.
+/// The motion of a body in the plane, and the loads on it except the forces at its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acting<T> {
     /// θ₃ of the body's frame in rad.

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::algebra::{Times, entry};
 use crate::Scalar;
 
-/// A = A_z(θ₃) A_y(θ₂) A_x(θ₁), which turns components in the frame K of a point into inertial ones
+/// A = A_z(θ₃) A_y(θ₂) A_x(θ₁), which takes components in the frame K of a point to inertial components
 /// `[P, Eq. (1)]`; θ in rad.
 pub fn rotation_matrix<T: Scalar>(angles: &Vector3<T>) -> Matrix3<T> {
     let ([s1, s2, s3], [c1, c2, c3]) = T::sin_cos((*angles).into());
