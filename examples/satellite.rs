@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --example satellite`
 
+use mstmm::nalgebra::Vector3;
 use mstmm::prelude::*;
 use mstmm::{BodyPoint, Point};
-use nalgebra::Vector3;
 
 mstmm_chain! {
     /// A hub that floats, and a wheel with a motor.

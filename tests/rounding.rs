@@ -70,10 +70,10 @@ fn masses_far_apart_are_named_in_single_precision() {
             let error = outcome(&chain).expect_err("lost in rounding");
             assert_eq!(error, Error::Singular { hinge: "a" }, stringify!($chain));
             let text = error.to_string();
-            for part in ["`a`", "rounding", "`f64`", "masses closer together"] {
+            for part in ["`a`", "rounding", "`f64`", "masses that differ less"] {
                 assert!(text.contains(part), "{text}");
             }
-            // The suggested remedies help: double precision, or masses closer together.
+            // The suggested remedies help: double precision, or masses that differ less.
             assert_eq!(outcome(&$chain::<f64>::new()), Ok(()), stringify!($chain));
             chain.set_light(1.0).expect("a mass");
             assert_eq!(outcome(&chain), Ok(()), stringify!($chain));

@@ -107,7 +107,7 @@ fn the_reference_knows_every_kind_and_random_chains_have_it() {
     let reference = variants("tests/reference/src/hinge.rs", "HingeKind");
     let known = reference.iter().filter(|kind| !REFERENCE_ALONE.contains(&kind.as_str()));
     assert_eq!(sorted(known.cloned().collect()), sorted(kinds()), "kinds of the reference");
-    let random = variants("tests/reference/src/recipe.rs", "Joining");
+    let random = variants("tests/reference/src/recipe.rs", "HingeChoice");
     assert_eq!(sorted(random), sorted(words()), "kinds of random chains");
     let seeds = text("tests/random.rs");
     for kind in kinds() {
