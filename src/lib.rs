@@ -8,6 +8,7 @@
 pub mod frames {}
 
 #[doc = include_str!("terms.md")]
+#[doc(alias = "URDF", alias = "Jacobian", alias = "mass matrix", alias = "crba", alias = "sensor")]
 pub mod terms {}
 
 pub mod hinges;
