@@ -107,7 +107,7 @@ impl Section {
         }
     }
 
-    /// What is computed, and with what it is compared.
+    /// Describes the computation and its reference.
     pub fn about(self) -> &'static str {
         match self {
             Section::BallHinges => {

@@ -2,7 +2,7 @@
 
 /// The verdict on one comparison. It passes if all its checks do.
 pub struct Verdict {
-    /// What is compared with what.
+    /// The two results that are compared.
     pub compared: String,
     /// The file of the figure that shows the comparison.
     pub figure: Option<&'static str>,

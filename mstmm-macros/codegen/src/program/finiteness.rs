@@ -19,7 +19,7 @@ pub struct Finiteness<'a> {
     values: Vec<Status<'a>>,
 }
 
-/// What is known about a value.
+/// Whether the results cover a value.
 #[derive(Clone, Copy, Debug)]
 enum Status<'a> {
     /// No result covers it.
