@@ -24,7 +24,7 @@ mod two {
     }
 
     mstmm::mstmm_chain! {
-        // With a separate type of body, under a name that other chains use, too.
+        // With a separate body type, under a name that other chains use, too.
         pub(crate) chain Crate {
             body Rod { mass = 2 kg; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }
             ground -> pin axle -> Rod rod;

@@ -1,4 +1,4 @@
-//! Types of bodies are wrong: outputs, centres of mass and named points can be read all the same.
+//! Body types are wrong: outputs, centres of mass and named points can be read all the same.
 
 use mstmm::prelude::*;
 

@@ -51,7 +51,7 @@ pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
 }
 
 /// Returns the names of all types of a chain except its inputs, which users construct field by field. Any name of a block
-/// or of the route may be a type of body.
+/// or of the route may be a body type.
 fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
     let of_chain =

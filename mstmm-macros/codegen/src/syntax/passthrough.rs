@@ -20,7 +20,7 @@ pub struct Passthrough {
 pub struct References {
     /// Names of hinges and bodies in blocks after the route.
     pub elements: Vec<Ident>,
-    /// The names of types of bodies in their own blocks.
+    /// The names of body types in their own blocks.
     pub types: Vec<Ident>,
     /// The same on the route.
     pub uses_of_types: Vec<Ident>,

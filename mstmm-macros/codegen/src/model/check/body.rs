@@ -6,7 +6,7 @@ use crate::model::condition::Requirement;
 use crate::model::lower::{Draft, POINTS, RouteItem, listed};
 use crate::model::rules::MASS;
 
-/// Reports types of bodies that the route does not use: most likely an error in the route.
+/// Reports body types that the route does not use: most likely an error in the route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     let lost = |item: &RouteItem| {
         matches!(
@@ -34,7 +34,7 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Reports missing fields: a type of body has a mass, a centre of mass and an inertia, and an
+/// Reports missing fields: a body type has a mass, a centre of mass and an inertia, and an
 /// output if a hinge follows it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     // A hinge at the end, which is an error, needs no output.

@@ -46,7 +46,7 @@ const RESERVED: &[&str] = &[
 /// Fields that the inputs of a chain may have.
 const INPUTS: &[&str] = &["gravity"];
 
-/// Keywords that are no names for types of bodies, in addition to the kinds of hinges.
+/// Keywords that are no names for body types, in addition to the kinds of hinges.
 const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
 
 /// Keywords that are no names for parameters, in addition to the functions.
@@ -215,17 +215,17 @@ pub(super) fn names_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostic
     refuse_words(names, ITEM_WORDS, diagnostics);
 }
 
-/// Reports types of bodies with several blocks.
+/// Reports body types with several blocks.
 pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     for (index, body) in draft.types.iter().enumerate() {
         if draft.types[..index].iter().any(|other| other.name == body.name) {
-            let message = format!("type of body `{}` is described twice", body.name);
+            let message = format!("body type `{}` is described twice", body.name);
             diagnostics.name(body.name, message);
         }
     }
 }
 
-/// Reports types of bodies with the name of a keyword of the route.
+/// Reports body types with the name of a keyword of the route.
 pub(super) fn body_types_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
     let kinds = KINDS.iter().map(|kind| kind.word);
     let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();

@@ -1,4 +1,4 @@
-//! Types of bodies: `body Type { … }`.
+//! Body types: `body Type { … }`.
 
 use proc_macro2::Ident;
 
@@ -10,12 +10,12 @@ use super::vector::zeros;
 use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
-/// The fields of a type of body.
+/// The fields of a body type.
 pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
 /// Its fields in a line chain, which has no rotations.
 const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
 
-/// A type of body, as far as it is readable.
+/// A body type, as far as it is readable.
 pub(crate) struct BodyType<'a> {
     /// The type's name.
     pub name: &'a Ident,
@@ -48,18 +48,18 @@ impl PointDraft<'_> {
     }
 }
 
-/// Whether a block describes a type of body.
+/// Whether a block describes a body type.
 pub(super) fn is_type(block: &BlockSyntax) -> bool {
     block.word == BlockKeyword::Body && !block.after_route
 }
 
-/// Returns whether a block has fields that only a type of body has.
+/// Returns whether a block has fields that only a body type has.
 pub(super) fn describes_type(block: &BlockSyntax) -> bool {
     let of_type = |field: &FieldSyntax| FIELDS.iter().any(|known| field.name == known);
     !block.points.is_empty() || block.fields.iter().any(of_type)
 }
 
-/// All types of bodies.
+/// All body types.
 pub(super) fn types<'a>(def: &'a ChainSyntax, context: &mut Context) -> Vec<BodyType<'a>> {
     let blocks = def.blocks.iter().filter(|block| is_type(block));
     blocks.filter_map(|block| body_type(block, context)).collect()
@@ -70,7 +70,7 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
     if let Some(other) = others.first() {
         context.diagnostics.error(
             other.span(),
-            "a block describes one type of body: write a \
+            "a block describes one body type: write a \
                                                  block for each",
         );
     }

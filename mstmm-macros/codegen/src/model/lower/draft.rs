@@ -33,7 +33,7 @@ pub(crate) struct Draft<'a> {
     pub parameters: Vec<Parameter>,
     /// The number of Rust constants.
     pub constants: usize,
-    /// All types of bodies.
+    /// All body types.
     pub types: Vec<BodyType<'a>>,
     /// All items of the route.
     pub items: Vec<RouteItem<'a>>,

@@ -52,10 +52,10 @@ pub(super) fn properties<'a>(
     items.iter().zip(fields).enumerate().map(read).collect()
 }
 
-/// Only types of bodies have points.
+/// Only body types have points.
 fn refuse_points(block: &BlockSyntax, context: &mut Context) {
     for point in &block.points {
-        let message = "write points in the block of a type of body, before the route";
+        let message = "write points in the block of a body type, before the route";
         context.diagnostics.error(point.name.span(), message);
     }
 }
@@ -170,7 +170,7 @@ fn unknown_name(
     context: &mut Context,
 ) {
     if block.word == BlockKeyword::Body && body::describes_type(block) {
-        let message = "write the block of a type of body before the route";
+        let message = "write the block of a body type before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
@@ -188,7 +188,7 @@ fn unknown_name(
     let has_type =
         def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
     if block.word == BlockKeyword::Body && !has_type && items.iter().any(is_body) {
-        let message = "write the block of a type of body before the route";
+        let message = "write the block of a body type before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }

@@ -4,7 +4,7 @@ use super::body;
 use super::route::RouteItem;
 use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, References};
 
-/// Returns all names of elements in blocks after the route, and all names of types of bodies.
+/// Returns all names of elements in blocks after the route, and all names of body types.
 pub(super) fn references(def: &ChainSyntax, items: &[RouteItem]) -> References {
     let is_element = |name: &&proc_macro2::Ident| {
         items.iter().any(|item| match item {

@@ -205,7 +205,7 @@ impl<'a> UnresolvedElement<'a> {
         }
     }
 
-    /// Whether its word is a kind of hinge or a type of body.
+    /// Whether its word is a kind of hinge or a body type.
     fn is_known(&self, types: &[BodyType]) -> bool {
         self.is_kind() || types.iter().any(|known| self.word == known.name)
     }
@@ -259,7 +259,7 @@ impl<'a> UnresolvedElement<'a> {
         kind.or_else(|| types.iter().any(|known| name == known.name).then_some("type"))
     }
 
-    /// Returns whether an unknown word probably means a type of body, not a kind of hinge.
+    /// Returns whether an unknown word probably means a body type, not a kind of hinge.
     fn is_body(&self, types: &[BodyType]) -> bool {
         let word = self.word.to_string();
         let near_type = || {
@@ -317,7 +317,7 @@ impl<'a> UnresolvedElement<'a> {
             return;
         }
         let hint = context.hint(word, types.iter().map(|known| known.name));
-        let message = format!("unknown type of body `{word}`{hint}");
+        let message = format!("unknown body type `{word}`{hint}");
         context.diagnostics.unknown(word, message, types.iter().map(|known| known.name));
     }
 }

@@ -193,7 +193,7 @@ fn loads_act_at_points_of_bodies() {
     expect(
         "hinge wrist {",
         "hinge wrist { point tip = [1, 0, 0];",
-        &[("tip", "write points in the block of a type of body, before the route")],
+        &[("tip", "write points in the block of a body type, before the route")],
     );
 }
 

@@ -162,14 +162,14 @@ fn parts_are_in_their_places() {
     expect(
         "hinge wrist {",
         "body Foo { mass = 1 kg; com = [0, 0, 0]; } hinge wrist {",
-        &[("Foo", "write the block of a type of body …")],
+        &[("Foo", "write the block of a body type …")],
     );
     expect(
         "body Rod {",
         "body Rod, Stick {",
         &[(
             "Stick",
-            "a block describes one type of body: \
+            "a block describes one body type: \
         write a block for each",
         )],
     );

@@ -103,11 +103,7 @@ fn there_is_one_route_with_a_body() {
 
 #[test]
 fn stops_are_known() {
-    expect(
-        "Cube upper",
-        "Cub upper",
-        &[("Cub", "unknown type of body `Cub`; did you mean `Cube`?")],
-    );
+    expect("Cube upper", "Cub upper", &[("Cub", "unknown body type `Cub`; did you mean `Cube`?")]);
     expect(
         "ball wrist",
         "slidr wrist",
@@ -174,7 +170,7 @@ fn names_of_other_programs_are_known() {
     // Beside it nothing is judged.
     expect_rods(
         "ground -> Bar j -> Rod rod; hinge j { start = 1; }",
-        &[("Bar", "unknown type of body `Bar`")],
+        &[("Bar", "unknown body type `Bar`")],
     );
 }
 

@@ -20,7 +20,7 @@ fn names_are_used_once() {
         "Rod upper_mut",
         &[("upper_mut", "`upper_mut` and `upper` both have a method `upper_mut`")],
     );
-    expect("body Rod {", "body Cube {", &[("Cube", "type of body `Cube` is described twice")]);
+    expect("body Rod {", "body Cube {", &[("Cube", "body type `Cube` is described twice")]);
 }
 
 #[test]

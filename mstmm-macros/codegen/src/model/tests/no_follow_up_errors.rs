@@ -4,7 +4,7 @@
 use super::each_error_once::expect_rods;
 use super::expect_all;
 
-/// A chain with one type of body that has these fields.
+/// A chain with one body type that has these fields.
 fn expect_body(fields: &str, errors: &[(&str, &str)]) {
     let source = format!("chain A {{ body Rod {{ {fields} }} ground -> pin j -> Rod rod; }}");
     expect_all(&source, errors);
