@@ -166,7 +166,11 @@ impl Ends {
     }
 }
 
-/// Returns whether this is a literal.
+/// Returns whether this is a literal, with a minus or without.
 fn is_literal(value: &ValueSyntax) -> bool {
-    matches!(value, ValueSyntax::Number(ExprSyntax { kind: ExprKind::Number(_), .. }))
+    let ValueSyntax::Number(ExprSyntax { kind, .. }) = value else { return false };
+    match kind {
+        ExprKind::Negated(inner) => matches!(inner.kind, ExprKind::Number(_)),
+        other => matches!(other, ExprKind::Number(_)),
+    }
 }

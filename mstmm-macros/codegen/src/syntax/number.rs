@@ -201,8 +201,7 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
 /// Parses a count. A token that is no number is the outer error; a number that is out of range is
 /// the inner one.
 pub(super) fn count(expected: &str, input: &mut Cursor) -> Result<Result<usize>> {
-    let number = || input.unexpected(expected);
-    let Some(literal) = input.clone().literal() else { return Err(number()) };
+    let Some(literal) = input.clone().literal() else { return Err(no_count(expected, input)) };
     input.any();
     let count = literal.to_string().replace('_', "").parse::<usize>();
     let known = count.ok().filter(|count| (1..=MOST_TIMES).contains(count));
@@ -210,6 +209,14 @@ pub(super) fn count(expected: &str, input: &mut Cursor) -> Result<Result<usize>>
         let message = format!("expected {expected} from 1 to {MOST_TIMES}");
         Error::new(literal.span(), message)
     }))
+}
+
+/// Returns the error for a token that is no count.
+fn no_count(expected: &str, input: &Cursor) -> Error {
+    let Some(name) = input.peek_ident() else { return input.unexpected(expected) };
+    let message =
+        format!("write {expected} in digits: the macro cannot read the value of `{name}`");
+    Error::new(name.span(), message)
 }
 
 fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {

@@ -163,7 +163,13 @@ impl Context<'_> {
             return None;
         }
         let known = self.parameters.iter().map(|other| other.name.to_string());
-        let hint = self.hint(name, known.chain(["PI".to_owned()]));
+        let hint = match self.hint(name, known.chain(["PI".to_owned()])) {
+            none if none.is_empty() => format!(
+                "; for a parameter write `param {text} = …`; a Rust constant begins with a capital \
+                 letter"
+            ),
+            near => near,
+        };
         let message = format!("unknown name `{text}`{hint}");
         let parameters = self.parameters.iter().map(|other| other.name);
         self.diagnostics.unknown(name, message, parameters);

@@ -81,12 +81,12 @@ impl Scale {
 
 /// Returns the scale and the dimension of a unit, or the factor that is unknown.
 pub(super) fn resolve(unit: &UnitSyntax) -> Result<(Scale, PhysicalDimension), &UnitFactorSyntax> {
-    let one = Scale { above: 1.0, below: 1.0, tens: 0 };
+    let si = Scale { above: 1.0, below: 1.0, tens: 0 };
     unit.factors.iter().try_fold(
-        (one, PhysicalDimension::default()),
+        (si, PhysicalDimension::default()),
         |(scale, dimension), factor| {
-            let (each, measures) = find(&factor.symbol).ok_or(factor)?;
-            Ok((scale.times(each, factor.power), dimension.times(measures, factor.power)))
+            let (factor_scale, measures) = find(&factor.symbol).ok_or(factor)?;
+            Ok((scale.times(factor_scale, factor.power), dimension.times(measures, factor.power)))
         },
     )
 }
@@ -135,6 +135,8 @@ const NAMES: &[(&str, &str)] = &[
 
 /// Symbols that are often written together without `*`.
 const RUN_TOGETHER: &[&str] = &["N", "kN", "MN", "mN", "J", "W", "Pa"];
+/// The dot between the units of a product in typeset text.
+const DOT: char = '\u{b7}';
 
 /// Returns the end of a message: what an unknown unit probably means.
 pub(super) fn hint(symbol: &str) -> String {
@@ -145,15 +147,34 @@ pub(super) fn hint(symbol: &str) -> String {
     if plain != symbol && find(plain).is_some() {
         return format!("; write `{plain}^{}`", &symbol[plain.len()..]);
     }
-    let halves = symbol.char_indices().skip(1).map(|(at, _)| symbol.split_at(at));
-    let is_product = |&(a, b): &(&str, &str)| {
-        let known = find(a).is_some() && find(b).is_some();
-        known && (RUN_TOGETHER.contains(&a) || (a, b) == ("kg", "m"))
-    };
-    if let Some((a, b)) = halves.into_iter().find(is_product) {
-        return format!("; units multiply with `*`: `{a}*{b}`");
+    if let Some(product) = separated(symbol).or_else(|| product(symbol)) {
+        return format!("; units multiply with `*`: `{product}`");
     }
     meant(symbol).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+/// Returns a product with `*` for a product with the dot of typeset text, which Rust reads as a
+/// letter: `N*m` for `N·m`.
+fn separated(symbol: &str) -> Option<String> {
+    let is_known = |part: &str| find(part).is_some();
+    (symbol.contains(DOT) && symbol.split(DOT).all(is_known)).then(|| symbol.replace(DOT, "*"))
+}
+
+/// Returns the product that is written without `*`: `N*m*s` for `Nms`, `kg*m^2` for `kgm2`.
+fn product(symbol: &str) -> Option<String> {
+    symbol.char_indices().skip(1).find_map(|(at, _)| {
+        let (first, rest) = symbol.split_at(at);
+        let plain = rest.trim_end_matches(|letter: char| letter.is_ascii_digit());
+        let power = match &rest[plain.len()..] {
+            "" => String::new(),
+            power => format!("^{power}"),
+        };
+        let is_usual = RUN_TOGETHER.contains(&first) || (first, plain) == ("kg", "m");
+        find(plain).filter(|_| is_usual)?;
+        // A torque times seconds is more usual than a force times milliseconds.
+        let rest = if plain == "ms" { "m*s" } else { plain };
+        Some(format!("{first}*{rest}{power}"))
+    })
 }
 
 /// Returns the symbol that was probably meant. Short symbols are all similar, so they are suggested
@@ -213,7 +234,7 @@ mod tests {
         for unknown in ["x", "in", "ft", "hg", "lb", "kq"] {
             assert_eq!(hint(unknown), "");
         }
-        for (written, meant) in [
+        for (symbol, meant) in [
             ("kgs", "kg"),
             ("mmm", "mm"),
             ("kgg", "kg"),
@@ -222,9 +243,13 @@ mod tests {
             ("tonne", "t"),
             ("meters", "m"),
         ] {
-            assert_eq!(hint(written), format!("; did you mean `{meant}`?"));
+            assert_eq!(hint(symbol), format!("; did you mean `{meant}`?"));
         }
         assert_eq!(hint("kgm"), "; units multiply with `*`: `kg*m`");
+        assert_eq!(hint("kgm2"), "; units multiply with `*`: `kg*m^2`");
+        assert_eq!(hint("Nms"), "; units multiply with `*`: `N*m*s`");
+        assert_eq!(hint("Nmm"), "; units multiply with `*`: `N*mm`");
+        assert_eq!(hint("N\u{b7}m\u{b7}s"), "; units multiply with `*`: `N*m*s`");
         assert_eq!(hint("s2"), "; write `s^2`");
         assert_eq!(hint("\u{b5}m"), "; write `um`");
         assert_eq!(hint("\u{3bc}g"), "; write `ug`");

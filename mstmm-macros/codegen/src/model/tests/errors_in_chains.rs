@@ -232,7 +232,7 @@ fn repeats_are_well_formed() {
     }
     expect_all(
         &route(&good.replace("repeat 3", "repeat N")),
-        &[("N", "expected a repeat count, found `N`")],
+        &[("N", "write a repeat count in digits: the macro cannot read the value of `N`")],
     );
     expect_all(
         &route(&good.replace("repeat 3", "repeat -3")),

@@ -55,6 +55,12 @@ fn a_unit_closes_its_product() {
 #[test]
 fn units_are_known() {
     expect_mass("1kq", &[("1kq", "unknown unit `kq`")]);
+    let hint = "units multiply with `*`: ";
+    expect_mass("1 Nms/rad", &[("Nms", &format!("unknown unit `Nms`; {hint}`N*m*s`"))]);
+    expect_mass(
+        "1 kg\u{b7}m",
+        &[("kg\u{b7}m", &format!("unknown unit `kg\u{b7}m`; {hint}`kg*m`"))],
+    );
     expect_mass("1f64", &[("1f64", "a number has no type suffix here: …")]);
     expect_mass("1 kg^99", &[("99", "expected a whole power up to 9")]);
     expect_mass("1 kg^0.5", &[("0.5", "expected a whole power up to 9")]);
@@ -63,6 +69,8 @@ fn units_are_known() {
 #[test]
 fn names_are_known() {
     expect_mass("paylod", &[("paylod", "unknown name `paylod`; did you mean `payload`?")]);
+    let constants = "unknown name `m_rod`; for a parameter write `param m_rod = …`; …";
+    expect_mass("m_rod", &[("m_rod", constants)]);
     let other = "`T` is the scalar type of a chain here: name the constant by another path";
     expect_mass("T::M", &[("T::M", other)]);
     expect_mass("Self::M", &[("Self", "`Self` is not known here: …")]);
@@ -113,7 +121,7 @@ fn adjacent_errors_are_all_reported() {
     expect(
         "output = [1, 0, 0] m",
         "output = [a, b, 1 q]",
-        &[("a", "unknown name `a`"), ("b", "unknown name `b`"), ("q", "unknown unit `q`")],
+        &[("a", "unknown name `a`; …"), ("b", "unknown name `b`; …"), ("q", "unknown unit `q`")],
     );
 }
 
@@ -153,6 +161,7 @@ fn values_of_other_kinds_are_named() {
 #[test]
 fn notations_of_other_languages_are_known() {
     expect_mass("1,5 kg", &[(",", "write decimals with a point")]);
+    expect_mass("-0,5 kg", &[(",", "write decimals with a point")]);
     expect_mass("2**3 kg", &[("*", "write powers with `^`")]);
     expect_mass("2 kg**2", &[("*", "write powers with `^`")]);
     expect_mass("(1, 2, 3) kg", &[("(", "write vectors as `[x, y, z]`")]);

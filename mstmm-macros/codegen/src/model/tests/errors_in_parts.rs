@@ -150,7 +150,7 @@ fn properties_fit_their_owner() {
         "hinge shoulder, wrist { pitch = 1; torque = x; }\n hinge wrist {",
         &[
             ("pitch", PITCH),
-            ("x", "unknown name `x`"),
+            ("x", "unknown name `x`; …"),
             ("torque", "`torque` of a pin is given twice"),
         ],
     );

@@ -82,7 +82,7 @@ fn route_items_after_an_error_are_known() {
     );
     expect_rods(
         "ground -> repeat many { pin j -> Rod rod } -> pin k -> Rod end; hinge j, k { start = 1; }",
-        &[("many", "expected a repeat count, found `many`")],
+        &[("many", "write a repeat count in digits: …")],
     );
 }
 
