@@ -7,7 +7,9 @@ use super::cursor::Cursor;
 use super::field::Content;
 use super::lookahead::ITEMS;
 use super::tree::{BlockKeyword, BlockSyntax, ChainSyntax, DimensionKeyword, ParameterSyntax};
-use super::{attribute, branch, field, lookahead, number, recover, route, route_item};
+use super::{
+    attribute, branch, field, lookahead, number, other_programs, recover, route, route_item,
+};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
 /// The keywords of blocks.
@@ -204,7 +206,8 @@ fn misspelt_block(
     let mut ahead = *input;
     let word = ahead.ident()?;
     let words = BLOCKS.iter().map(|&(word, _)| word);
-    let near = nearest(&word.to_string(), words.chain(["param"]))?;
+    let near = other_programs::keyword(&word)
+        .or_else(|| nearest(&word.to_string(), words.chain(["param"])))?;
     let &(_, block) = BLOCKS.iter().find(|(word, _)| *word == near)?;
     let mut names = ahead;
     block_head(&mut names).ok()?;
@@ -218,7 +221,8 @@ fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool
     let mut ahead = *input;
     let Some(word) = ahead.ident() else { return false };
     let mut value = ahead;
-    let is_parameter = nearest(&word.to_string(), ["param"]).is_some()
+    let meant = other_programs::keyword(&word).or_else(|| nearest(&word.to_string(), ["param"]));
+    let is_parameter = meant == Some("param")
         && value.ident().is_some()
         && (value.group(Delimiter::Bracket).is_some() || value.peek_punct('='));
     if is_parameter {
@@ -308,10 +312,11 @@ fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnost
         }
         return report_and_skip(input.unexpected("an item"), input, def, diagnostics);
     };
-    if let Some(message) = branch::item(&word) {
+    if let Some(message) = branch::item(&word).or_else(|| other_programs::item(&word)) {
         return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
     }
-    let near = nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied());
+    let near = other_programs::keyword(&word)
+        .or_else(|| nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied()));
     let hint = near.map_or_else(
         || {
             "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, \

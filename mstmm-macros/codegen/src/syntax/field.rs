@@ -6,7 +6,7 @@ use super::cursor::Cursor;
 use super::lookahead::{begins_field, point};
 use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
 use super::value::written;
-use super::{attribute, lookahead};
+use super::{attribute, lookahead, other_programs};
 use crate::diag::{Diagnostics, nearest};
 
 /// The content of a block.
@@ -44,11 +44,13 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
     content
 }
 
-/// Reads the name of a point after a misspelt `point`, which is reported.
+/// Reads the name of a point after a misspelt `point` or a word of other programs, which is reported.
 fn misspelt_point(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
     let mut ahead = *input;
     let word = ahead.ident()?;
-    nearest(&word.to_string(), ["point"])?;
+    if other_programs::POINTS.iter().all(|point| word != point) {
+        nearest(&word.to_string(), ["point"])?;
+    }
     let name = ahead.ident().filter(|_| ahead.peek_punct('='))?;
     diagnostics.error(word.span(), format!("unknown word `{word}`; did you mean `point`?"));
     *input = ahead;

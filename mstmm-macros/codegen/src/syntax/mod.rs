@@ -13,6 +13,7 @@ mod cursor;
 mod field;
 mod lookahead;
 mod number;
+mod other_programs;
 mod passthrough;
 mod recover;
 mod route;

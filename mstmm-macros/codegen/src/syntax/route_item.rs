@@ -18,8 +18,8 @@ pub(super) fn route_item(
     diagnostics: &mut Diagnostics,
 ) -> Result<RouteItemSyntax> {
     if let Some(at) = input.word("ground") {
-        let position =
-            if input.word("at").is_some() { Some(value::position(input)?.into()) } else { None };
+        let has_position = input.word("at").is_some() || lacks_at(input, diagnostics);
+        let position = if has_position { Some(value::position(input)?.into()) } else { None };
         return Ok(RouteItemSyntax::Ground {
             at,
             position,
@@ -56,6 +56,16 @@ pub(super) fn route_item(
         arguments = Some(after_name);
     }
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
+}
+
+/// Reports a position of the ground without `at`; returns whether there is one.
+fn lacks_at(input: &Cursor, diagnostics: &mut Diagnostics) -> bool {
+    let is_position = input.peek_group(Delimiter::Bracket) || input.clone().literal().is_some();
+    if is_position {
+        let message = "write `at` before the position: `ground at …`";
+        diagnostics.error(input.next_span(), message);
+    }
+    is_position
 }
 
 /// Reports a position after a moving end.

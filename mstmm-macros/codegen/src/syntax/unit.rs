@@ -5,6 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::lookahead;
+use super::other_programs::TURNED;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
 /// Words that may follow a number and are no units.
@@ -112,7 +113,9 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
 fn is_next(input: &Cursor) -> bool {
     let mut ahead = *input;
     !lookahead::begins_item(input)
-        && ahead.ident().is_some_and(|word| !NOT_UNITS.iter().any(|other| word == other))
+        && ahead
+            .ident()
+            .is_some_and(|word| !NOT_UNITS.iter().chain(TURNED).any(|other| word == other))
         && !ahead.peek_punct('=')
         && !ahead.peek_pair(':', ':')
         && !ahead.peek_group(Delimiter::Parenthesis)

@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
+use super::other_programs::TURNED;
 use super::tree::{
     ExprKind, ExprSyntax, FormSyntax, ListSyntax, OrientationSyntax, SpanRange, ValueSyntax,
 };
@@ -70,7 +71,7 @@ fn vector(input: &mut Cursor) -> Result<ListSyntax> {
 /// Parses `turned orientation`, if it is next.
 pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
     if input.word("turned").is_none() {
-        return Ok(None);
+        return lacks_turned(input).map_or(Ok(None), Err);
     }
     if is_form(input) {
         return form(input).map(OrientationSyntax::Form).map(Some);
@@ -79,6 +80,20 @@ pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
         return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
     }
     number::number(input).map(OrientationSyntax::Angle).map(Some)
+}
+
+/// Returns the error for an orientation that does not begin with `turned`.
+fn lacks_turned(input: &Cursor) -> Option<Error> {
+    let mut ahead = *input;
+    let word = ahead.ident()?;
+    let message = if ORIENTATIONS.iter().any(|form| word == form) && is_form(input) {
+        format!("write `turned` before an orientation: `turned {word}(…)`")
+    } else if TURNED.iter().any(|other| word == other) && !ahead.peek_punct('=') {
+        format!("unknown word `{word}`; did you mean `turned`?")
+    } else {
+        return None;
+    };
+    Some(Error::new(word.span(), message))
 }
 
 /// Reads a position on the item before it: `.lug`, `at lug` or `at [x, y, z]`. Returns the span of
@@ -110,6 +125,9 @@ fn about(input: &mut Cursor) -> Result<Option<Ident>> {
         Some(_) => Ok(Some(input.ident().ok_or_else(|| input.unexpected("`input` or `com`"))?)),
     }
 }
+
+/// The forms of an orientation.
+const ORIENTATIONS: &[&str] = &["rpy", "quaternion"];
 
 /// How a matrix is written.
 const MATRIX: &str = "matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])";

@@ -14,6 +14,8 @@ use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRan
 pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
 /// Its fields in a line chain, which has no rotations.
 const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
+/// What messages list after the fields: a body has any number of points.
+const POINT: &str = "point name";
 
 /// A body type, as far as it is readable.
 pub(crate) struct BodyType<'a> {
@@ -76,8 +78,9 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
     }
     let mut given = Fields::default();
     let owner = format!("body `{name}`{}", context.of_chain());
+    let listed = [known(context.space), &[POINT]].concat();
     for field in &block.fields {
-        given.add(field, known(context.space), &owner, context);
+        given.add(field, &listed, &owner, context);
     }
     let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| given.get(f));
     let body_type = BodyType {

@@ -106,6 +106,14 @@ const COUNTERPARTS: &[(&str, &str)] = &[
     ("between", "on"),
     ("from", "on"),
     ("point", "at"),
+    ("range", "limits"),
+    ("lower", "limits"),
+    ("upper", "limits"),
+    ("inertia", "armature"),
+    ("rotor_inertia", "armature"),
+    ("rest", "length"),
+    ("rest_length", "length"),
+    ("free_length", "length"),
 ];
 
 /// The known field that an unknown one means.

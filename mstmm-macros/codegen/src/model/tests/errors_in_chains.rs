@@ -28,7 +28,7 @@ fn plane_chains_have_two_components() {
         "output = [1, 0] m turned rpy(1, 0, 0)",
         &[("rpy(1, 0, 0)", "expected an angle, found `rpy(…)`")],
     );
-    expect_plane("pin a", "pin(z) a", &[("(z)", "… has no arguments: …")]);
+    expect_plane("pin a", "pin(z) a", &[("(z)", "… rotates about z: …")]);
     expect_plane(
         "slider b",
         "planar(x) b",

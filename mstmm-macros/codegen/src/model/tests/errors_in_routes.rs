@@ -159,6 +159,12 @@ fn names_of_other_programs_are_known() {
     expect_kind("prismatic", "slider");
     expect_kind("spherical", "ball");
     expect_kind("fixed", "weld");
+    expect_kind("continuous", "pin");
+    expect_kind("hinge", "pin");
+    for free in ["freeflyer", "free_flyer", "freejoint"] {
+        let message = format!("unknown kind of hinge `{free}`; did you mean `floating`?");
+        expect_rods(&format!("ground -> {free} j -> Rod rod;"), &[(free, &message)]);
+    }
     expect_rods(
         "ground -> Pin(z) j -> Rod rod; hinge j { start = 1; }",
         &[("Pin", "unknown kind of hinge `Pin`; did you mean `pin`?")],

@@ -93,3 +93,72 @@ fn words_that_items_begin_with_are_no_names() {
         expect_rods(&format!("param {word} = 1; ground -> pin j -> Rod rod;"), errors);
     }
 }
+
+#[test]
+fn items_of_other_programs_are_known() {
+    let expect_item = |from: &str, to: &str, word: &str, meant: &str| {
+        let message = format!("unknown item `{word}`; did you mean `{meant}`?");
+        expect(from, to, &[(word, &message)]);
+    };
+    expect_item("body Rod {", "link Rod {", "link", "body");
+    expect_item("hinge wrist {", "joint wrist {", "joint", "hinge");
+    expect_item("param ratio", "parameter ratio", "parameter", "param");
+    let motor = "write a motor as the field `torque` or `force` of its hinge";
+    let damper = "write a damper as the field `damping` of a hinge or of a `spring`";
+    let sensor = "a chain has no sensors: the results have the positions, velocities and forces \
+                  at all points";
+    let contact = "a chain has no contacts: compute the force at each step, and apply it by a \
+                   `load` with `force = input`";
+    for (word, message) in
+        [("motor", motor), ("damper", damper), ("sensor", sensor), ("contact", contact)]
+    {
+        let item = format!("{word} x {{ on = rod; gain = 1; }} hinge wrist {{");
+        expect("hinge wrist {", &item, &[(word, message)]);
+    }
+}
+
+#[test]
+fn fields_of_other_programs_are_known() {
+    let expect_field = |from: &str, to: &str, owner: &str, field: &str, meant: &str| {
+        let message = format!("{owner} has no field `{field}`; did you mean `{meant}`?");
+        expect(from, to, &[(field, &message)]);
+    };
+    let start = "start = 30 deg;";
+    for field in ["range", "lower", "upper"] {
+        expect_field(start, &format!("{field} = 1 rad;"), "a pin", field, "limits");
+    }
+    expect_field(start, "inertia = 1 kg*m^2;", "a pin", "inertia", "armature");
+    let spring = "spring s { on = rod; to = [0, 0, 0]; stiffness = 1; rest = 1 m; } hinge wrist {";
+    expect_field("hinge wrist {", spring, "spring `s`", "rest", "length");
+    for word in ["site", "frame"] {
+        let output = "output = [1, 0, 0] m;";
+        let point = format!("{output} {word} tip = [2, 0, 0] m;");
+        let message = format!("unknown word `{word}`; did you mean `point`?");
+        expect(output, &point, &[(word, &message)]);
+    }
+}
+
+#[test]
+fn orientations_begin_with_turned() {
+    let route = "ground -> pin(z) shoulder";
+    let rotated = "unknown word `rotated`; did you mean `turned`?";
+    let missing = "write `turned` before an orientation: `turned rpy(…)`";
+    for position in ["at [0, 0, 1] m", ""] {
+        for (word, at, message) in [("rotated ", "rotated", rotated), ("", "rpy", missing)] {
+            let ground = format!("ground {position} {word}rpy(0, 0, 90) deg -> pin(z) shoulder");
+            expect(route, &ground, &[(at, message)]);
+        }
+    }
+    let output = "output = [1, 0, 0] m;";
+    expect(output, "output = [1, 0, 0] m rpy(0, 0, 90) deg;", &[("rpy", missing)]);
+    expect(output, "output = [1, 0, 0] m rotated rpy(0, 0, 90) deg;", &[("rotated", rotated)]);
+}
+
+#[test]
+fn positions_of_the_ground_begin_with_at() {
+    let message = "write `at` before the position: `ground at …`";
+    for turned in ["", "turned rpy(0, 0, 90) deg"] {
+        let ground = format!("ground [0, 0, 1] m {turned} -> pin(z) shoulder");
+        expect("ground -> pin(z) shoulder", &ground, &[("[0, 0, 1]", message)]);
+    }
+}

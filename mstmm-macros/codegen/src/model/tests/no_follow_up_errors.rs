@@ -15,7 +15,9 @@ const REST: &str = "com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com;
 #[test]
 fn an_unknown_field_may_be_the_missing_one() {
     let unknown = |field: &str| {
-        format!("body `Rod` has no field `{field}`; it has `mass`, `com`, `inertia` and `output`")
+        format!(
+            "body `Rod` has no field `{field}`; it has `mass`, `com`, `inertia`, `output` and `point name`"
+        )
     };
     expect_body(&format!("heft = 1 kg; {REST}"), &[("heft", &unknown("heft"))]);
     expect_body(&format!("heft = 1; {REST}"), &[("heft", &unknown("heft"))]);
@@ -178,7 +180,10 @@ fn a_refused_name_may_be_the_unknown_one() {
             "chain A {{ body Rod {{ {point} }} ground -> pin j -> Rod rod; \
              load l {{ on = rod; at = lug; force = input; }} }}"
         ),
-        &[("lug", "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia` and `output`")],
+        &[(
+            "lug",
+            "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia`, `output` and `point name`",
+        )],
     );
     // A name of another kind is another matter.
     expect_rods(

@@ -1,7 +1,7 @@
 //! `pin(z) name`: rotation about an axis.
 
 use super::axis::{axis, unit};
-use super::{ArgumentRule, Kind, nothing};
+use super::{ArgumentRule, Kind};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
 use crate::syntax::ArgumentsSyntax;
@@ -16,7 +16,8 @@ fn plain(space: Dimension) -> Option<HingeKind> {
 
 fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
     if context.space == Dimension::Plane {
-        return nothing("pin", arguments, context);
+        let message = "a pin of a plane chain rotates about z: write `pin` without an axis";
+        return context.refuse(arguments.extent, message);
     }
     let [written] = &arguments.values[..] else {
         return context.refuse(arguments.extent, "a pin has one axis, such as `pin(z)`");

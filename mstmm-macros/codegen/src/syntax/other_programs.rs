@@ -1,0 +1,42 @@
+//! Items that other programs have, or have under another keyword.
+
+use proc_macro2::Ident;
+
+/// Keywords of other programs, each with that of the language.
+const KEYWORDS: &[(&str, &str)] = &[("link", "body"), ("joint", "hinge"), ("parameter", "param")];
+
+/// Items that a chain does not have, each with its message.
+const ITEMS: &[(&str, &str)] = &[
+    ("motor", MOTORS),
+    ("actuator", MOTORS),
+    ("damper", "write a damper as the field `damping` of a hinge or of a `spring`"),
+    (
+        "sensor",
+        "a chain has no sensors: the results have the positions, velocities and forces at all \
+         points",
+    ),
+    (
+        "contact",
+        "a chain has no contacts: compute the force at each step, and apply it by a `load` with \
+         `force = input`",
+    ),
+];
+
+/// The message for a motor.
+const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge";
+
+/// Words for a point of a body.
+pub(super) const POINTS: &[&str] = &["site", "frame", "marker"];
+
+/// Words for `turned`.
+pub(super) const TURNED: &[&str] = &["rotated", "rotate", "rotation", "oriented", "orientation"];
+
+/// Returns the keyword of the language for one of another program.
+pub(super) fn keyword(word: &Ident) -> Option<&'static str> {
+    KEYWORDS.iter().find(|(other, _)| word == other).map(|&(_, keyword)| keyword)
+}
+
+/// Returns the message for an item that a chain does not have.
+pub(super) fn item(word: &Ident) -> Option<&'static str> {
+    ITEMS.iter().find(|(other, _)| word == other).map(|&(_, message)| message)
+}
