@@ -48,7 +48,7 @@ pub fn input(chain: &Chain, input: &Input) -> ArrayLayout {
 
 /// Returns the layout of one entry for every connection point.
 pub fn points(chain: &Chain) -> ArrayLayout {
-    let outputs = chain.route.iter().map(|element| match *element {
+    let outputs = chain.elements.iter().map(|element| match *element {
         Element::Hinge(hinge) => (1, chain.repeat_of_hinge(hinge)),
         Element::Body(body) => (1, chain.repeat_of_body(body)),
     });

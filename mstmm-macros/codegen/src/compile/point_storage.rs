@@ -66,7 +66,7 @@ pub(super) fn allocate<'g>(
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
         Element::Body(body) => chain.repeat_of_body(body),
     };
-    let parts = std::iter::once(None).chain(chain.route.iter().map(part));
+    let parts = std::iter::once(None).chain(chain.elements.iter().map(part));
     for (index, (point, part)) in points.iter().zip(parts).enumerate() {
         match storage.segments.last() {
             Some((_, last)) if *last == part => {}
@@ -76,7 +76,7 @@ pub(super) fn allocate<'g>(
             }
         }
         let mut stored = allocator.point(point, chain.dimension, chain.results);
-        if let Some(Element::Body(body)) = chain.route.get(index) {
+        if let Some(Element::Body(body)) = chain.elements.get(index) {
             stored.changing = allocator.changing(&chain.bodies[*body], chain, numbers);
         }
         storage.points.push(stored);

@@ -15,7 +15,7 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     lines.push(String::new());
     lines.push(" | element | kind | degrees of freedom |".into());
     lines.push(" |---|---|---|".into());
-    lines.extend(cx.chain.route.iter().map(|&element| row(cx, element)));
+    lines.extend(cx.chain.elements.iter().map(|&element| row(cx, element)));
     lines.push(String::new());
     lines.extend(mobility(cx));
     lines.push(String::new());
@@ -103,7 +103,7 @@ fn route(cx: &EmitContext) -> String {
     let chain = cx.chain;
     let end = |attachment: &Attachment| match attachment {
         Attachment::Ground(_) => Some("ground".to_owned()),
-        Attachment::Input(body) | Attachment::Output(body) => {
+        Attachment::Input(body) | Attachment::Output(body) | Attachment::Point(body, _) => {
             let body = &chain.bodies[*body];
             (body.role == Role::MovingEnd).then(|| format!("moving {}", body.name))
         }
@@ -113,17 +113,17 @@ fn route(cx: &EmitContext) -> String {
         Some(Element::Body(_)) | None => None,
     };
     let start =
-        hinge(chain.route.first()).and_then(|hinge| end(chain.before_boundary(&hinge.inboard)));
-    let finish = hinge(chain.route.last()).and_then(|hinge| end(&hinge.outboard));
-    let elements = chain.route.iter().enumerate().map(|(route_index, element)| {
+        hinge(chain.elements.first()).and_then(|hinge| end(chain.before_boundary(&hinge.inboard)));
+    let finish = hinge(chain.elements.last()).and_then(|hinge| end(&hinge.outboard));
+    let elements = chain.elements.iter().enumerate().map(|(route_index, element)| {
         let name = match *element {
             Element::Body(index) => chain.bodies[index].name.to_string(),
             Element::Hinge(index) => {
                 format!("{} {}", chain.hinges[index].kind.spec().word, chain.hinges[index].name)
             }
         };
-        let begins = chain.repeats.iter().find(|repeat| repeat.route.start == route_index);
-        let ends = chain.repeats.iter().any(|repeat| repeat.route.end == route_index + 1);
+        let begins = chain.repeats.iter().find(|repeat| repeat.elements.start == route_index);
+        let ends = chain.repeats.iter().any(|repeat| repeat.elements.end == route_index + 1);
         let begin = begins.map_or(String::new(), |repeat| format!("repeat {} {{ ", repeat.count));
         format!("{begin}{name}{}", if ends { " }" } else { "" })
     });

@@ -17,7 +17,7 @@ const BLUE: &str = "#3a87c8";
 pub fn picture(drawing: &Drawing) -> Vec<String> {
     let camera = Camera::of(drawing);
     let [mut width, height] = camera.size;
-    let labels = match drawing.chain.route.len() {
+    let labels = match drawing.chain.elements.len() {
         ..=NAMED => labels(drawing, &camera),
         _ => Vec::new(),
     };
@@ -37,7 +37,7 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
         ),
     ];
     lines.extend(triad(drawing.chain.dimension, &camera));
-    let elements = drawing.chain.route.iter().enumerate();
+    let elements = drawing.chain.elements.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
     lines.extend(bodies.map(|(route_index, _)| body(drawing, &camera, route_index)));
     lines.extend(ends(drawing, &camera));
@@ -150,13 +150,15 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
         Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
         Some(Element::Body(_)) | None => None,
     };
-    let first = hinge(chain.route.first()).map(|hinge| (&hinge.inboard, 0));
-    let last = hinge(chain.route.last()).map(|hinge| (&hinge.outboard, chain.route.len()));
+    let first = hinge(chain.elements.first()).map(|hinge| (&hinge.inboard, 0));
+    let last = hinge(chain.elements.last()).map(|hinge| (&hinge.outboard, chain.elements.len()));
     let end = |(attachment, point): (&Attachment, usize)| {
         let [x, y] = camera.project(&drawing.points[point]);
         let dashes = match attachment {
             Attachment::Ground(_) => "",
-            Attachment::Input(_) | Attachment::Output(_) => " stroke-dasharray=\"3 3\"",
+            Attachment::Input(_) | Attachment::Output(_) | Attachment::Point(..) => {
+                " stroke-dasharray=\"3 3\""
+            }
         };
         format!(
             " <path d=\"M{:.1} {:.1}h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7\" fill=\"none\" \
@@ -244,7 +246,7 @@ fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
             },
         }
     };
-    drawing.chain.route.iter().enumerate().map(name).collect()
+    drawing.chain.elements.iter().enumerate().map(name).collect()
 }
 
 fn text([x, y]: [f64; 2]) -> String {

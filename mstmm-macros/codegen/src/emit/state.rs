@@ -132,7 +132,7 @@ fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
     let arguments = quote!(#(#arguments),*);
     let (view, view_mut) = (format_ident!("{}", view.name), format_ident!("{}Mut", view.name));
     let visibility = &cx.passthrough.visibility;
-    let on_route = cx.chain.route.contains(&Element::Hinge(index));
+    let on_route = cx.chain.elements.contains(&Element::Hinge(index));
     let kind = if on_route { "hinge" } else { "body" };
     let doc = format!(" Returns coordinates and rates of {kind} `{name}`.");
     let doc_mut = format!(" Returns coordinates and rates of {kind} `{name}`, for writing.");

@@ -46,16 +46,17 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         shown: closure_shown,
     } = closure;
     let (text, body_types) = (name.to_string(), body::types(cx));
-    let elements = cx.chain.route.iter().enumerate().map(|(route_index, element)| match *element {
-        Element::Body(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, route_index),
-            count => indexed_access::body(cx, (index, route_index), count),
-        },
-        Element::Hinge(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, route_index),
-            count => indexed_access::hinge(cx, (index, route_index), count),
-        },
-    });
+    let elements =
+        cx.chain.elements.iter().enumerate().map(|(route_index, element)| match *element {
+            Element::Body(index) => match cx.chain.repetitions(*element) {
+                _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, route_index),
+                count => indexed_access::body(cx, (index, route_index), count),
+            },
+            Element::Hinge(index) => match cx.chain.repetitions(*element) {
+                _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, route_index),
+                count => indexed_access::hinge(cx, (index, route_index), count),
+            },
+        });
     quote! {
         #[doc = #doc]
         #[derive(Clone, PartialEq)]

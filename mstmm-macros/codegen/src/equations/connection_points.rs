@@ -34,7 +34,7 @@ pub fn connection_points<S>(context: &EvalContext<S>) -> Vec<ConnectionPoint> {
             },
         )
     };
-    for (number, element) in chain.route.iter().enumerate() {
+    for (number, element) in chain.elements.iter().enumerate() {
         let (input, output) = match *element {
             Element::Hinge(index) => {
                 let hinge = &chain.hinges[index];

@@ -8,7 +8,7 @@ use super::kinematics::{LinkKinematics, Pose, link_of, poses};
 use super::sweep::PerLink;
 use crate::ids::LinkId;
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
-use crate::model::{BodyId, InputKind, Load, LoadAxes, LoadId, Source, Spring};
+use crate::model::{BodyId, InputKind, Load, LoadAxes, LoadId, Source, Spring, SpringEnd};
 
 /// Returns the external wrench on every link, about its point, in its work axes.
 pub fn loads<S: Scalar>(
@@ -31,7 +31,7 @@ pub fn loads<S: Scalar>(
         add(load.body, &|link| load_wrench(context, (index, load), &links[link], &poses[link]));
     }
     for spring in &chain.springs {
-        add(spring.body, &|link| spring_wrench(context, spring, &links[link], &poses[link]));
+        add(spring.on.body, &|link| spring_wrench(context, spring, &links[link], &poses[link]));
     }
     wrenches
 }
@@ -65,7 +65,7 @@ fn spring_wrench<S: Scalar>(
 ) -> Wrench<S> {
     let values = context.values;
     let arm = link.part_to_work * (spring_point(context, spring) - link.point);
-    let inertial = pose.position + pose.to_inertial * arm - values.vector(&spring.to);
+    let inertial = pose.position + pose.to_inertial * arm - spring_end(context, spring);
     let displacement = Rotation::from_matrix(pose.to_inertial).rotate_back(inertial);
     let velocity = pose.velocity + link.omega.cross(arm);
     let [stiffness, damping, length] =
@@ -79,8 +79,18 @@ fn spring_wrench<S: Scalar>(
 
 /// Returns the point where a spring is attached to a body, in the frame of the body's part.
 fn spring_point<S: Scalar>(context: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
-    let (origin, rotation) = context.frame(spring.body);
-    origin + rotation * context.values.vector(&spring.at)
+    let (origin, rotation) = context.frame(spring.on.body);
+    origin + rotation * context.values.vector(&spring.on.at)
+}
+
+/// Returns the other end of a spring, inertial frame.
+fn spring_end<S: Scalar>(context: &EvalContext<S>, spring: &Spring) -> Vec3<S> {
+    match &spring.to {
+        SpringEnd::Ground(point) => context.values.vector(point),
+        SpringEnd::Body(_) | SpringEnd::Previous { .. } => {
+            bug!("springs between bodies are not evaluated")
+        }
+    }
 }
 
 /// Returns `1 / |r|`, kept finite by a length far below any that matters.
@@ -95,7 +105,7 @@ pub fn spring_energy<S: Scalar>(
     on: Option<(LinkId, &LinkKinematics<S>, &Pose<S>)>,
 ) -> S {
     let is_on_part = |spring: &&Spring| {
-        link_of(context.layout.parts[spring.body]) == on.map(|(index, ..)| index)
+        link_of(context.layout.parts[spring.on.body]) == on.map(|(index, ..)| index)
     };
     let mut energy = S::zero();
     for spring in context.chain.springs.iter().filter(is_on_part) {
@@ -104,7 +114,7 @@ pub fn spring_energy<S: Scalar>(
         let position = on.map_or(point, |(_, link, pose)| {
             pose.position + pose.to_inertial * (link.part_to_work * (point - link.point))
         });
-        let displacement = position - values.vector(&spring.to);
+        let displacement = position - spring_end(context, spring);
         let stretch = if spring.length.is_zero() {
             displacement.dot(displacement)
         } else {

@@ -59,6 +59,7 @@ impl<S: Scalar> SymbolValues<S> {
             Attachment::Ground(frame) => self.frame(frame),
             Attachment::Input(_) => (Vec3::zero(), Mat3::identity()),
             Attachment::Output(body) => self.frame(&chain.bodies[*body].output),
+            Attachment::Point(body, point) => self.frame(&chain.bodies[*body].points[*point].frame),
         }
     }
 

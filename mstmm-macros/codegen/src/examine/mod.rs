@@ -69,7 +69,7 @@ pub struct Drawing {
 
 /// Checks a chain numerically, and reports its errors.
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
-    let whole = chain.elements(usize::MAX) <= ELEMENTS;
+    let whole = chain.count_elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
     let mut dry_run = DryRun::new(chain.unrolled(most));
     if !dry_run.merged.loop_hinges.is_empty() && !dry_run.massless_hinges().is_empty() {
@@ -253,7 +253,7 @@ impl DryRun {
         };
         Drawing {
             points: report.points.iter().map(|point| position(point.position)).collect(),
-            centres: self.chain.route.iter().zip(&report.points).map(centre).collect(),
+            centres: self.chain.elements.iter().zip(&report.points).map(centre).collect(),
             up: self.vertical(),
             gravity: self.gravity(),
             chain: self.chain.clone(),

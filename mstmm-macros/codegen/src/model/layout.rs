@@ -179,7 +179,19 @@ impl Attachment {
     pub fn body(&self) -> Option<BodyId> {
         match self {
             Attachment::Ground(_) => None,
-            Attachment::Input(body) | Attachment::Output(body) => Some(*body),
+            Attachment::Input(body) | Attachment::Output(body) | Attachment::Point(body, _) => {
+                Some(*body)
+            }
+        }
+    }
+
+    /// Returns the same place of another body.
+    pub fn on(&self, body: BodyId) -> Attachment {
+        match self {
+            Attachment::Ground(_) => self.clone(),
+            Attachment::Input(_) => Attachment::Input(body),
+            Attachment::Output(_) => Attachment::Output(body),
+            Attachment::Point(_, point) => Attachment::Point(body, *point),
         }
     }
 }

@@ -17,7 +17,7 @@ pub enum Source {
 /// A force and a torque on a body.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// Its name.
+    /// Its name; in a part, the names of the path joined by `_`.
     pub name: Ident,
     /// The body that it acts on.
     pub body: BodyId,
@@ -40,21 +40,46 @@ pub enum LoadAxes {
     Body,
 }
 
-/// A spring with a damper, from a body to a point fixed on the ground.
+/// A spring with a damper, from a body to the ground or to another body.
 #[derive(Clone, Debug)]
 pub struct Spring {
-    /// Its name.
+    /// Its name; in a part, the names of the path joined by `_`.
     pub name: Ident,
-    /// The body that it acts on.
-    pub body: BodyId,
-    /// Its point of application in m, body frame.
-    pub at: [Value; 3],
-    /// The point on the ground in m, inertial frame.
-    pub to: [Value; 3],
+    /// The path as written, for docs.
+    pub path: String,
+    /// The point where it is attached to its body.
+    pub on: BodyPoint,
+    /// Its other end.
+    pub to: SpringEnd,
     /// Stiffness in N/m.
     pub stiffness: Value,
     /// Damping along the spring in N s/m.
     pub damping: Value,
     /// Its length without load in m.
     pub length: Value,
+}
+
+/// A point of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyPoint {
+    /// The body.
+    pub body: BodyId,
+    /// The point in m, body frame.
+    pub at: [Value; 3],
+}
+
+/// The other end of a spring.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpringEnd {
+    /// A point on the ground in m, inertial frame.
+    Ground([Value; 3]),
+    /// A point of a body: of the same repetition if the body is repeated, else of a body outside.
+    Body(BodyPoint),
+    /// A point of a body of the previous repetition.
+    Previous {
+        /// The point.
+        point: BodyPoint,
+        /// What it is in the first repetition: a point of a body outside.
+        first: BodyPoint,
+    },
 }

@@ -1,7 +1,7 @@
 //! The model: bodies connected by hinges, with all names resolved and all values in SI units.
 //!
-//! The model is a graph: every hinge has two attachments. A chain is the simplest such graph; only
-//! [`Chain::route`] depends on each body having one input and one output.
+//! The model is a graph: every hinge has two attachments. A chain is the simplest such graph, a tree the
+//! usual one.
 
 mod answer;
 mod check;
@@ -28,7 +28,7 @@ pub use hinge::{
     Representation, StateView, ViewArgument,
 };
 pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
-pub use load::{Load, LoadAxes, Source, Spring};
+pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
 pub(crate) use lower::listed;
 pub use results::Results;
 pub use rules::Check;
@@ -61,14 +61,16 @@ pub struct Chain {
     /// with an implied hinge from the ground whose motion is prescribed; both have the name of the
     /// end.
     pub hinges: IdVec<HingeId, Hinge>,
-    /// The elements in the order written, without implied hinges and moving ends.
-    pub route: Vec<Element>,
+    /// The elements of all routes in the order of the text, without implied hinges and moving ends:
+    /// route by route; in a repeated part its first route, then its branches.
+    pub elements: Vec<Element>,
     /// What acts on bodies from outside, in the order written.
     pub loads: IdVec<LoadId, Load>,
-    /// Springs from bodies to the ground, in the order written.
+    /// Springs, in the order written.
     pub springs: Vec<Spring>,
-    /// Repeated parts of the route, in the order written. At the beginning and at the end of each a
-    /// massless body is welded in; these bodies and welds follow all other bodies and hinges.
+    /// Repeated parts of routes, in the order written. Wherever something crosses the beginning or the end
+    /// of a part, a massless body is welded in; these bodies and welds follow all other bodies and
+    /// hinges.
     pub repeats: IdVec<RepeatId, Repeat>,
     /// The method that the user asked for, if any.
     pub method: Option<SolutionMethod>,
@@ -156,9 +158,9 @@ pub enum Element {
     Hinge(HingeId),
 }
 
-/// A repeated part of the route. Its elements are listed once: alternating hinges and bodies, a
-/// hinge first and a body last.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A repeated part of a route: a route from one repetition to the next, and its branches. Its elements
+/// are listed once.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Repeat {
     /// The number of repetitions, at least one.
     pub count: usize,
@@ -166,8 +168,23 @@ pub struct Repeat {
     pub hinges: IdRange<HingeId>,
     /// Its bodies.
     pub bodies: IdRange<BodyId>,
-    /// Its elements in [`Chain::route`].
-    pub route: Range<usize>,
+    /// Its elements in [`Chain::elements`].
+    pub elements: Range<usize>,
+    /// The last body of its first route: the next repetition, or what follows the part, begins at its
+    /// output.
+    pub last_body: BodyId,
+    /// Its hinges that leave a body of the previous repetition, other than the first hinge.
+    pub from_previous: Vec<FromPrevious>,
+}
+
+/// A hinge of a repeated part that leaves a body of the previous repetition. In the hinge, the inboard
+/// attachment is that of the first repetition.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FromPrevious {
+    /// The hinge.
+    pub hinge: HingeId,
+    /// Its inboard attachment in all repetitions but the first: a place of the repetition before.
+    pub previous: Attachment,
 }
 
 /// The method that solves for the accelerations.
@@ -212,10 +229,15 @@ pub struct Parameter {
 /// A rigid body. Its frame has its origin at the input point `I`.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The name on the route.
+    /// The name on the route; in a part, the names of the path joined by `_`.
     pub name: Ident,
+    /// The path as written, for messages and docs: `fl.thigh`.
+    pub path: String,
     /// The name of the type that it is an instance of.
     pub type_name: Ident,
+    /// The beginning of the name of the Rust type of its results: that of its type, after the name of the
+    /// part that describes the type.
+    pub result_name: Ident,
     /// Mass in kg.
     pub mass: Value,
     /// Centre of mass `r_IC` in m, body frame.
@@ -236,7 +258,7 @@ impl Body {
     /// Returns the points of the body that its results have by name, body frame: the centre of mass
     /// first.
     pub fn own_points(&self) -> impl Iterator<Item = &[Value; 3]> {
-        std::iter::once(&self.com).chain(self.points.iter().map(|point| &point.position))
+        std::iter::once(&self.com).chain(self.points.iter().map(|point| &point.frame.position))
     }
 }
 
@@ -245,8 +267,8 @@ impl Body {
 pub struct NamedPoint {
     /// The name.
     pub name: Ident,
-    /// Where it is in m, body frame.
-    pub position: [Value; 3],
+    /// The frame there, in the body frame.
+    pub frame: Frame,
 }
 
 /// Which optional points the description of a body has.
@@ -326,7 +348,7 @@ impl Frame {
 
 /// The attachment of one side of a hinge.
 #[derive(Clone, Debug, PartialEq)]
-// A chain has at most two attachments on the ground.
+// Few attachments are on the ground.
 #[allow(clippy::large_enum_variant)]
 pub enum Attachment {
     /// A frame fixed in the inertial frame.
@@ -335,4 +357,6 @@ pub enum Attachment {
     Input(BodyId),
     /// The output frame of a body.
     Output(BodyId),
+    /// The frame at a named point of a body, by its index in [`Body::points`].
+    Point(BodyId, usize),
 }

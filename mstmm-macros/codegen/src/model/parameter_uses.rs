@@ -2,7 +2,7 @@
 
 use super::{
     Attachment, Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive,
-    RepeatId, Source, Spring, Value,
+    RepeatId, Source, Spring, SpringEnd, Value,
 };
 use crate::diag::Diagnostics;
 
@@ -57,7 +57,10 @@ impl Chain {
 
     /// Returns the values of all frames and axes.
     fn geometry(&self) -> impl Iterator<Item = &Value> {
-        let frames = self.bodies.iter().flat_map(|body| of_frame(&body.output));
+        let frames = self.bodies.iter().flat_map(|body| {
+            let points = body.points.iter().map(|point| &point.frame);
+            points.chain([&body.output]).flat_map(of_frame)
+        });
         let hinges = self.hinges.iter();
         frames.chain(hinges.flat_map(|hinge| [of_attachments(hinge), hinge.kind.values()].concat()))
     }
@@ -73,7 +76,8 @@ impl Chain {
         let loads = self.loads.iter();
         let loads = loads.map(|load| (self.repeat_of_body(load.body), of_load(load)));
         let springs = self.springs.iter();
-        let springs = springs.map(|spring| (self.repeat_of_body(spring.body), of_spring(spring)));
+        let springs =
+            springs.map(|spring| (self.repeat_of_body(spring.on.body), of_spring(spring)));
         let attachments = self.hinges.iter().map(|hinge| (None, of_attachments(hinge)));
         let gravity = std::iter::once((None, of_source(&self.gravity)));
         let all =
@@ -101,7 +105,7 @@ fn of_body(body: &Body) -> Vec<&Value> {
     values.extend(&body.com);
     values.extend(&body.inertia.tensor);
     values.extend(of_frame(&body.output));
-    values.extend(body.points.iter().flat_map(|point| &point.position));
+    values.extend(body.points.iter().flat_map(|point| of_frame(&point.frame)));
     values
 }
 
@@ -149,6 +153,12 @@ fn of_load(load: &Load) -> Vec<&Value> {
 }
 
 fn of_spring(spring: &Spring) -> Vec<&Value> {
-    let Spring { at, to, stiffness, damping, length, .. } = spring;
-    at.iter().chain(to).chain([stiffness, damping, length]).collect()
+    let Spring { on, to, stiffness, damping, length, .. } = spring;
+    let (to, first) = match to {
+        SpringEnd::Ground(point) => (point, None),
+        SpringEnd::Body(point) => (&point.at, None),
+        SpringEnd::Previous { point, first } => (&point.at, Some(&first.at)),
+    };
+    let ends = on.at.iter().chain(to).chain(first.into_iter().flatten());
+    ends.chain([stiffness, damping, length]).collect()
 }

@@ -37,7 +37,9 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
     let zero = || Value::number(0.0);
     let body = chain.bodies.push(Body {
         name: name.clone(),
+        path: name.to_string(),
         type_name: name.clone(),
+        result_name: name.clone(),
         mass: zero(),
         com: [(); 3].map(|()| zero()),
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
@@ -47,6 +49,7 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
         role: Role::RepeatBoundary(boundary),
     });
     chain.hinges.push(Hinge {
+        path: name.to_string(),
         name,
         kind: HingeKind::Weld,
         inboard: at,

@@ -144,7 +144,7 @@ impl Chain {
         let hinges = hinges.flat_map(|(id, hinge)| of(self.repeat_of_hinge(id), of_hinge(hinge)));
         let springs = self.springs.iter();
         let springs =
-            springs.flat_map(|spring| of(self.repeat_of_body(spring.body), of_spring(spring)));
+            springs.flat_map(|spring| of(self.repeat_of_body(spring.on.body), of_spring(spring)));
         let mut checks: Vec<Check> = bodies.chain(hinges).chain(springs).collect();
         // A loop over the repetitions of a part writes to one slice of checks.
         checks.sort_by_key(|check| check.part);

@@ -1,73 +1,46 @@
 //! A chain with its repeated parts written out.
 
-use super::{Attachment, Body, BodyId, Chain, Element, Hinge, HingeId, Role};
-use crate::ids::IdVec;
-use std::ops::Range;
+use super::{Attachment, BodyId, Chain, Element, FromPrevious, HingeId, Repeat, RepeatId, Role};
+use crate::ids::{Id, IdRange, IdVec};
+use std::collections::HashMap;
 
 impl Chain {
-    /// How many elements the route has with its repeated parts written out up to `most` times.
-    pub fn elements(&self, most: usize) -> usize {
+    /// How many elements there are with all repeated parts written out up to `most` times.
+    pub fn count_elements(&self, most: usize) -> usize {
         let repeated = self.repeats.iter();
-        let more = repeated.map(|repeat| repeat.route.len() * (repeat.count.min(most) - 1));
-        self.route.len() + more.sum::<usize>()
+        let more = repeated.map(|repeat| repeat.elements.len() * (repeat.count.min(most) - 1));
+        self.elements.len() + more.sum::<usize>()
     }
 
     /// Returns the same chain with up to `most` repetitions of each part written out. It has no
     /// loads and no springs, and its names are not unique.
     pub fn unrolled(&self, most: usize) -> Chain {
-        let is_end = |&body: &BodyId| self.bodies[body].role == Role::MovingEnd;
-        let ends: Vec<BodyId> = self.bodies.ids().into_iter().filter(is_end).collect();
-        let implied = self.hinges.len() - self.repeats.len() * 2 - self.hinges_on_route();
-        let order = self.order(most);
-        let bodies_on_route =
-            order.iter().filter(|element| matches!(element, Element::Body(_))).count();
-        // Where a body of the route's own order goes: nothing is joined to an earlier one.
-        let end = |body: BodyId| {
-            let number = ends.iter().position(|&end| end == body)?;
-            Some(BodyId(bodies_on_route + number))
+        let bodies = Copies::of(
+            self,
+            most,
+            self.bodies.ids(),
+            |repeat| repeat.bodies,
+            |body| matches!(self.bodies[body].role, Role::RepeatBoundary(_)),
+        );
+        let hinges = Copies::of(
+            self,
+            most,
+            self.hinges.ids(),
+            |repeat| repeat.hinges,
+            |hinge| self.repeat_boundary(&self.hinges[hinge].outboard).is_some(),
+        );
+        let unrolled = Unrolled { chain: self, most, bodies: &bodies };
+        let copy = |&(hinge, repetition): &(HingeId, usize)| {
+            let written = &self.hinges[hinge];
+            let mut copy = written.clone();
+            copy.inboard = unrolled.attachment(hinge, &written.inboard, repetition);
+            copy.outboard = unrolled.attachment(hinge, &written.outboard, repetition);
+            copy
         };
-        let outer = |attachment: &Attachment, on: fn(BodyId) -> Attachment| match attachment.body()
-        {
-            None => attachment.clone(),
-            Some(body) => {
-                on(end(body).unwrap_or_else(|| bug!("a chain ends at a body on its route")))
-            }
-        };
-        let mut hinges: IdVec<HingeId, Hinge> = self.hinges.iter().take(implied).cloned().collect();
-        for hinge in &mut hinges {
-            // Those move the ends, or the first body of a chain that floats.
-            let body = hinge.outboard.body().and_then(end);
-            hinge.outboard = Attachment::Input(body.unwrap_or(BodyId(0)));
-        }
-        let mut bodies: IdVec<BodyId, Body> = IdVec::new();
-        let mut route = Vec::new();
-        for (route_index, element) in order.iter().enumerate() {
-            match *element {
-                Element::Body(body) => {
-                    route.push(Element::Body(bodies.push(self.bodies[body].clone())));
-                }
-                Element::Hinge(hinge) => {
-                    let written = &self.hinges[hinge];
-                    let inboard = if route_index == 0 {
-                        outer(self.before_boundary(&written.inboard), Attachment::Output)
-                    } else {
-                        Attachment::Output(bodies.ids().last())
-                    };
-                    let outboard = if route_index + 1 == order.len() {
-                        outer(&written.outboard, Attachment::Input)
-                    } else {
-                        Attachment::Input(BodyId(bodies.len()))
-                    };
-                    let hinge = Hinge { inboard, outboard, ..written.clone() };
-                    route.push(Element::Hinge(hinges.push(hinge)));
-                }
-            }
-        }
-        bodies.extend(ends.iter().map(|&end| self.bodies[end].clone()));
         Chain {
-            bodies,
-            hinges,
-            route,
+            bodies: bodies.order.iter().map(|&(body, _)| self.bodies[body].clone()).collect(),
+            hinges: hinges.order.iter().map(copy).collect(),
+            elements: self.elements_of_all(most, &bodies, &hinges),
             repeats: IdVec::new(),
             loads: IdVec::new(),
             springs: Vec::new(),
@@ -75,29 +48,112 @@ impl Chain {
         }
     }
 
+    fn elements_of_all(
+        &self,
+        most: usize,
+        bodies: &Copies<BodyId>,
+        hinges: &Copies<HingeId>,
+    ) -> Vec<Element> {
+        let copy = |element: Element, repetition: usize| match element {
+            Element::Body(body) => Element::Body(bodies.copy(body, repetition)),
+            Element::Hinge(hinge) => Element::Hinge(hinges.copy(hinge, repetition)),
+        };
+        let mut elements = Vec::new();
+        let mut next = 0;
+        for repeat in &self.repeats {
+            let part = repeat.elements.clone();
+            elements.extend(self.elements[next..part.start].iter().map(|&it| copy(it, 0)));
+            for repetition in 0..repeat.count.min(most) {
+                elements.extend(self.elements[part.clone()].iter().map(|&it| copy(it, repetition)));
+            }
+            next = part.end;
+        }
+        elements.extend(self.elements[next..].iter().map(|&it| copy(it, 0)));
+        elements
+    }
+
     /// Returns the attachment inboard of the boundary at `attachment`, or `attachment` itself.
     pub fn before_boundary<'a>(&'a self, attachment: &'a Attachment) -> &'a Attachment {
         self.repeat_boundary(attachment)
             .map_or(attachment, |boundary| &self.hinges[self.weld_of(boundary)].inboard)
     }
+}
 
-    fn hinges_on_route(&self) -> usize {
-        self.route.iter().filter(|element| matches!(element, Element::Hinge(_))).count()
+/// The copies of bodies or of hinges: each with its original and its repetition.
+struct Copies<I> {
+    order: Vec<(I, usize)>,
+    indices: HashMap<(I, usize), usize>,
+}
+
+impl<I: Id + std::hash::Hash> Copies<I> {
+    /// Copies everything but boundaries; a repeated part is copied repetition by repetition.
+    fn of(
+        chain: &Chain,
+        most: usize,
+        all: IdRange<I>,
+        range: impl Fn(&Repeat) -> IdRange<I>,
+        is_boundary: impl Fn(I) -> bool,
+    ) -> Self {
+        let mut order: Vec<(I, usize)> = Vec::new();
+        for id in all.into_iter().filter(|&id| !is_boundary(id)) {
+            match chain.repeats.iter().find(|repeat| range(repeat).contains(id)) {
+                None => order.push((id, 0)),
+                Some(repeat) if range(repeat).first() == id => {
+                    for repetition in 0..repeat.count.min(most) {
+                        order.extend(range(repeat).into_iter().map(|id| (id, repetition)));
+                    }
+                }
+                Some(_) => {}
+            }
+        }
+        let indices = order.iter().enumerate().map(|(index, &key)| (key, index)).collect();
+        Copies { order, indices }
     }
 
-    /// The elements in a row.
-    fn order(&self, most: usize) -> Vec<Element> {
-        let mut order = Vec::new();
-        let mut next = 0;
-        for repeat in &self.repeats {
-            let Range { start, end } = repeat.route.clone();
-            order.extend(&self.route[next..start]);
-            for _ in 0..repeat.count.min(most) {
-                order.extend(&self.route[start..end]);
+    /// Returns the copy of an original.
+    fn copy(&self, original: I, repetition: usize) -> I {
+        let found = self.indices.get(&(original, repetition));
+        I::new(*found.unwrap_or_else(|| bug!("a repetition has no copy of an element")))
+    }
+}
+
+/// Finds the attachments of copied hinges.
+struct Unrolled<'a> {
+    chain: &'a Chain,
+    most: usize,
+    bodies: &'a Copies<BodyId>,
+}
+
+impl Unrolled<'_> {
+    /// Returns the attachment of one side of a hinge in a repetition.
+    fn attachment(&self, hinge: HingeId, written: &Attachment, repetition: usize) -> Attachment {
+        let chain = self.chain;
+        let from = chain.repeat_of_hinge(hinge);
+        let place = match (chain.repeat_boundary(written), from) {
+            (Some(boundary), Some(repeat)) if repetition > 0 && boundary.repeat == repeat => {
+                return self.on_copy(&self.previous(repeat, hinge), Some(repeat), repetition - 1);
             }
-            next = end;
-        }
-        order.extend(&self.route[next..]);
-        order
+            _ => chain.before_boundary(written),
+        };
+        self.on_copy(place, from, repetition)
+    }
+
+    /// Returns the place of the previous repetition that a hinge of a repeated part leaves.
+    fn previous(&self, repeat: RepeatId, hinge: HingeId) -> Attachment {
+        let Repeat { last_body, from_previous, .. } = &self.chain.repeats[repeat];
+        let other = from_previous.iter().find(|from: &&FromPrevious| from.hinge == hinge);
+        other.map_or(Attachment::Output(*last_body), |from| from.previous.clone())
+    }
+
+    /// Returns a place on the copy of its body: in the same repetition if the hinge is in the same
+    /// repeated part, else in the last one.
+    fn on_copy(&self, place: &Attachment, from: Option<RepeatId>, repetition: usize) -> Attachment {
+        let Some(body) = place.body() else { return place.clone() };
+        let repetition = match self.chain.repeat_of_body(body) {
+            None => 0,
+            of_body if of_body == from => repetition,
+            Some(repeat) => self.chain.repeats[repeat].count.min(self.most) - 1,
+        };
+        place.on(self.bodies.copy(body, repetition))
     }
 }

@@ -44,7 +44,7 @@ fn motion(chain: &Chain, hinge: HingeId, drives: &Drives) -> Vec<f64> {
         Element::Hinge(index) => chain.hinges[index].is_prescribed(),
         Element::Body(_) => false,
     };
-    let mut prescribed = chain.route.iter().filter(on_route);
+    let mut prescribed = chain.elements.iter().filter(on_route);
     if let Some(place) = prescribed.position(|&element| element == Element::Hinge(hinge)) {
         let motion = &drives.motions[place];
         return [&motion.q[..], &motion.v, &motion.a].concat();

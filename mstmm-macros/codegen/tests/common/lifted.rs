@@ -2,7 +2,7 @@
 
 use mstmm_codegen::model::{
     Attachment, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Parameter,
-    Passive, Source, Symbol, Value,
+    Passive, Source, SpringEnd, Symbol, Value,
 };
 use proc_macro2::{Ident, Span};
 
@@ -15,7 +15,7 @@ pub fn lifted(mut chain: Chain) -> Chain {
         lift.all(&mut body.com);
         lift.all(&mut body.inertia.tensor);
         lift.frame(&mut body.output);
-        body.points.iter_mut().for_each(|point| lift.all(&mut point.position));
+        body.points.iter_mut().for_each(|point| lift.frame(&mut point.frame));
     }
     chain.hinges.iter_mut().for_each(|hinge| lift.hinge(hinge));
     for load in chain.loads.iter_mut() {
@@ -24,8 +24,15 @@ pub fn lifted(mut chain: Chain) -> Chain {
         lift.source(&mut load.torque);
     }
     for spring in &mut chain.springs {
-        lift.all(&mut spring.at);
-        lift.all(&mut spring.to);
+        lift.all(&mut spring.on.at);
+        match &mut spring.to {
+            SpringEnd::Ground(point) => lift.all(point),
+            SpringEnd::Body(point) => lift.all(&mut point.at),
+            SpringEnd::Previous { point, first } => {
+                lift.all(&mut point.at);
+                lift.all(&mut first.at);
+            }
+        }
         let numbers = [&mut spring.stiffness, &mut spring.damping, &mut spring.length];
         numbers.into_iter().for_each(|value| lift.value(value));
     }

@@ -14,7 +14,7 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
         Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
         Element::Body(body) => chain.repeat_of_body(body),
     };
-    let parts = std::iter::once(None).chain(chain.route.iter().map(part));
+    let parts = std::iter::once(None).chain(chain.elements.iter().map(part));
     let points: Vec<(Option<RepeatId>, &StoredPoint)> =
         parts.zip(&compiled.point_storage.points).collect();
     let reader = Reader {

@@ -22,8 +22,10 @@ use std::ops::Range;
 /// frame.
 #[derive(Clone, Debug)]
 pub struct Hinge {
-    /// The name on the route.
+    /// The name on the route; in a part, the names of the path joined by `_`.
     pub name: Ident,
+    /// The path as written, for messages and docs: `fl.knee`.
+    pub path: String,
     /// Its kind.
     pub kind: HingeKind,
     /// The attachment of its inboard side.

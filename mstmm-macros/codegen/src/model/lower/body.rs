@@ -46,7 +46,8 @@ pub(crate) struct PointDraft<'a> {
 impl PointDraft<'_> {
     /// Returns the point; `None` if its position was not readable.
     pub fn finish(&self) -> Option<NamedPoint> {
-        Some(NamedPoint { name: self.name.clone(), position: self.position.clone()? })
+        let frame = Frame { position: self.position.clone()?, ..Frame::identity() };
+        Some(NamedPoint { name: self.name.clone(), frame })
     }
 }
 

@@ -56,15 +56,15 @@ impl Draft<'_> {
         let numbers = Numbering::of(&self.items);
         let mut bodies: IdVec<BodyId, Body> = IdVec::new();
         let mut hinges = self.implied_hinges(&numbers)?;
-        let mut route = Vec::new();
+        let mut elements = Vec::new();
         for (index, item) in self.items.iter().enumerate() {
             match item {
                 RouteItem::Ground { .. } | RouteItem::Moving { .. } => {}
                 RouteItem::Hinge { .. } => {
-                    route.push(Element::Hinge(hinges.push(self.hinge(index, &numbers)?)));
+                    elements.push(Element::Hinge(hinges.push(self.hinge(index, &numbers)?)));
                 }
                 RouteItem::Body { .. } => {
-                    route.push(Element::Body(bodies.push(self.body(item)?)));
+                    elements.push(Element::Body(bodies.push(self.body(item)?)));
                 }
                 RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => return None,
             }
@@ -81,7 +81,7 @@ impl Draft<'_> {
             constants: self.constants,
             bodies,
             hinges,
-            route,
+            elements,
             repeats: self.repeats(&numbers)?,
             loads: self.loads.into_iter().map(LoadDraft::finish).collect::<Option<_>>()?,
             springs: self.springs.into_iter().map(SpringDraft::finish).collect::<Option<_>>()?,
@@ -141,7 +141,9 @@ impl Draft<'_> {
         let body_type = &self.types[(*body_type)?];
         Some(Body {
             name: name.clone(),
+            path: name.to_string(),
             type_name: body_type.name.clone(),
+            result_name: body_type.name.clone(),
             mass: body_type.mass.clone()?.value,
             com: body_type.com.clone()?.value,
             inertia: body_type.inertia.clone()?.value,
@@ -163,7 +165,9 @@ impl Draft<'_> {
                 count: repeat.count?,
                 hinges: numbers.hinges(items.clone()),
                 bodies: numbers.bodies(items.clone()),
-                route: numbers.elements(items),
+                last_body: numbers.bodies(items.clone()).last(),
+                elements: numbers.elements(items),
+                from_previous: Vec::new(),
             })
         };
         written.map(repeat).collect()
@@ -177,7 +181,8 @@ fn hinge(
     motion: HingeProperties,
 ) -> Hinge {
     let HingeProperties { start, start_rate, rest, drive, passive } = motion;
-    Hinge { name, kind, inboard, outboard, start, start_rate, rest, drive, passive }
+    let path = name.to_string();
+    Hinge { name, path, kind, inboard, outboard, start, start_rate, rest, drive, passive }
 }
 
 /// Returns the massless body of a moving end.
@@ -185,7 +190,9 @@ fn end_body(name: &Ident) -> Body {
     let zero = || Value::number(0.0);
     Body {
         name: name.clone(),
+        path: name.to_string(),
         type_name: name.clone(),
+        result_name: name.clone(),
         mass: zero(),
         com: zeros(),
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },

@@ -10,7 +10,7 @@ use super::properties::has_duplicates;
 use super::route::RouteItem;
 use super::vector::zeros;
 use crate::diag::did_you_mean;
-use crate::model::{BodyId, Dimension, Frame, LoadAxes, Source, Value};
+use crate::model::{BodyId, BodyPoint, Dimension, Frame, LoadAxes, Source, SpringEnd, Value};
 use crate::syntax::{
     BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, ListSyntax, SpanRange, ValueSyntax,
 };
@@ -374,9 +374,9 @@ impl SpringDraft<'_> {
             |given: Option<Spanned<Value>>| given.map_or(Value::number(0.0), |given| given.value);
         Some(crate::model::Spring {
             name: self.name.clone(),
-            body: self.body?,
-            at: self.at?,
-            to: self.to?,
+            path: self.name.to_string(),
+            on: BodyPoint { body: self.body?, at: self.at? },
+            to: SpringEnd::Ground(self.to?),
             stiffness: self.stiffness?.value,
             damping: number(self.damping?),
             length: number(self.length?),

@@ -75,13 +75,13 @@ fn one_token_replaced_by_anything() {
 fn is_closed(chain: &Chain) -> bool {
     let bodies = chain.bodies.len();
     let on_bodies = chain.loads.iter().map(|load| load.body);
-    let on_bodies = on_bodies.chain(chain.springs.iter().map(|spring| spring.body));
+    let on_bodies = on_bodies.chain(chain.springs.iter().map(|spring| spring.on.body));
     let places = chain.hinges.iter().flat_map(|hinge| [&hinge.inboard, &hinge.outboard]);
     on_bodies.chain(places.filter_map(|place| place.body())).all(|body| body.index() < bodies)
         && chain.repeats.iter().all(|repeat| {
             repeat.hinges.last().index() < chain.hinges.len()
                 && repeat.bodies.last().index() < bodies
-                && repeat.route.end <= chain.route.len()
+                && repeat.elements.end <= chain.elements.len()
         })
 }
 

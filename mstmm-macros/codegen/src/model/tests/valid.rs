@@ -63,7 +63,7 @@ fn the_pendulum_of_the_paper() {
     assert_eq!(all_known(&wrist.rest), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(all_known(&wrist.start_rate), [0.0, 0.1, 0.0]);
-    assert_eq!(chain.route[..2], [Element::Hinge(HingeId(0)), Element::Body(BodyId(0))]);
+    assert_eq!(chain.elements[..2], [Element::Hinge(HingeId(0)), Element::Body(BodyId(0))]);
     assert_eq!((chain.method, chain.results), (None, Results::ALL));
 }
 
@@ -156,8 +156,8 @@ fn a_floating_chain_has_an_implied_hinge() {
     // A pin without an axis turns about z; the implied hinge is not on the route.
     let HingeKind::Pin { axis } = &chain.hinges[HingeId(1)].kind else { panic!("a pin") };
     assert_eq!(known(axis), [0.0, 0.0, 1.0]);
-    assert_eq!(chain.route[..2], [Element::Body(BodyId(0)), Element::Hinge(HingeId(1))]);
-    assert_eq!(chain.route.len(), 5);
+    assert_eq!(chain.elements[..2], [Element::Body(BodyId(0)), Element::Hinge(HingeId(1))]);
+    assert_eq!(chain.elements.len(), 5);
 }
 
 #[test]

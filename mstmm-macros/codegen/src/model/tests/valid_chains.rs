@@ -4,7 +4,7 @@ use super::{all_known, chain, edited, known};
 use crate::ids::{BodyId, HingeId, LoadId, RepeatId};
 use crate::model::{
     Attachment, Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Repeat, RepeatBoundary,
-    Role, Source, Value,
+    Role, Source, SpringEnd, Value,
 };
 
 const ROUTE: &str = "ground -> pin(z) shoulder -> Cube upper -> ball wrist -> Rod rod;";
@@ -79,7 +79,8 @@ fn a_plane_chain_lies_in_the_plane() {
     assert_eq!(load.force, Source::Constant([1.0, 2.0, 0.0].map(Value::number)));
     assert_eq!(load.torque, Source::Constant([0.0, 0.0, 3.0].map(Value::number)));
     let spring = &chain.springs[0];
-    assert_eq!((known(&spring.at), known(&spring.to)), ([1.0, 0.0, 0.0], [5.0, 6.0, 0.0]));
+    assert_eq!(known(&spring.on.at), [1.0, 0.0, 0.0]);
+    assert_eq!(spring.to, SpringEnd::Ground([5.0, 6.0, 0.0].map(Value::number)));
     let numbers = [&spring.stiffness, &spring.damping, &spring.length];
     assert_eq!(numbers.map(|number| number.known()), [Some(7.0), Some(8.0), Some(9.0)]);
 }
@@ -127,7 +128,7 @@ fn a_line_chain_has_numbers_for_vectors() {
     assert_eq!(known(&chain.bodies[BodyId(0)].output.position), [0.3, 0.0, 0.0]);
     assert_eq!(chain.loads[LoadId(0)].force, Source::Constant([6.0, 0.0, 0.0].map(Value::number)));
     assert_eq!(chain.loads[LoadId(0)].torque, Source::Nothing);
-    assert_eq!(known(&chain.springs[0].at), [0.2, 0.0, 0.0]);
+    assert_eq!(known(&chain.springs[0].on.at), [0.2, 0.0, 0.0]);
 }
 
 #[test]
@@ -167,7 +168,7 @@ fn ends_can_move() {
         Element::Hinge(HingeId(2)),
         Element::Body(BodyId(1)),
     ];
-    assert_eq!(chain.route, route);
+    assert_eq!(chain.elements, route);
 
     let chain = on_route("Cube upper -> ball b -> Rod rod -> pin a -> moving hand;");
     assert_eq!(names(&chain).1, ["hand", "b", "a"]);
@@ -231,8 +232,22 @@ fn parts_of_the_route_can_be_repeated() {
     assert_eq!(
         chain.repeats.as_slice(),
         [
-            Repeat { count: 1000, hinges: (1..3).into(), bodies: (1..3).into(), route: 1..5 },
-            Repeat { count: 3, hinges: (4..5).into(), bodies: (4..5).into(), route: 7..9 },
+            Repeat {
+                count: 1000,
+                hinges: (1..3).into(),
+                bodies: (1..3).into(),
+                elements: 1..5,
+                last_body: BodyId(2),
+                from_previous: vec![]
+            },
+            Repeat {
+                count: 3,
+                hinges: (4..5).into(),
+                bodies: (4..5).into(),
+                elements: 7..9,
+                last_body: BodyId(4),
+                from_previous: vec![]
+            },
         ]
     );
     assert_eq!(
@@ -247,7 +262,14 @@ fn parts_of_the_route_can_be_repeated() {
     let chain = on_route("ground -> repeat 5 { pin a -> Rod b } -> pin c -> ground; load x { on = b; force = input; }".replace("Rod b }", "Cube u -> pin d -> Rod b }").as_str());
     assert_eq!(
         chain.repeats.as_slice(),
-        [Repeat { count: 5, hinges: (0..2).into(), bodies: (0..2).into(), route: 0..4 }]
+        [Repeat {
+            count: 5,
+            hinges: (0..2).into(),
+            bodies: (0..2).into(),
+            elements: 0..4,
+            last_body: BodyId(1),
+            from_previous: vec![]
+        }]
     );
     assert_eq!(chain.loads[LoadId(0)].body, BodyId(1));
     assert!(matches!(behind_seam(&chain, 0).1, Attachment::Ground(_)));
