@@ -1,5 +1,7 @@
 //! Inertia tensors that a real body can have.
 
+use std::f64::consts::PI;
+
 use super::{About, Dimension, Inertia, Value};
 
 /// How far below zero a second moment may be, relative to the trace of the tensor. Thin rods and
@@ -34,6 +36,29 @@ impl Inertia {
         let slack = Value::number(TOLERANCE).times(trace(space, &central));
         let written = Value::number(TOLERANCE_ABOUT_INPUT).times(trace(space, &self.tensor));
         minors(space, &central, slack.plus(written))
+    }
+
+    /// Returns the principal moments, beginning with the smallest; `None` if an entry is not known
+    /// while compiling. The eigenvalues of a symmetric matrix by cosines: O. K. Smith, Communications
+    /// of the ACM 4 (1961) 168.
+    pub fn principal_moments(&self) -> Option<[f64; 3]> {
+        let mut entries = [0.0; 6];
+        for (entry, value) in entries.iter_mut().zip(&self.tensor) {
+            *entry = value.known()?;
+        }
+        let [xx, yy, zz, xy, xz, yz] = entries;
+        let mean = (xx + yy + zz) / 3.0;
+        let [a, b, c] = [xx, yy, zz].map(|moment| moment - mean);
+        let products = xy * xy + xz * xz + yz * yz;
+        let radius = ((a * a + b * b + c * c + 2.0 * products) / 6.0).sqrt();
+        if radius == 0.0 {
+            return Some([mean; 3]);
+        }
+        let determinant = a * b * c + 2.0 * xy * xz * yz - a * yz * yz - b * xz * xz - c * xy * xy;
+        let angle = (determinant / (2.0 * radius.powi(3))).clamp(-1.0, 1.0).acos() / 3.0;
+        let largest = mean + 2.0 * radius * angle.cos();
+        let smallest = mean + 2.0 * radius * (angle + 2.0 * PI / 3.0).cos();
+        Some([smallest, 3.0 * mean - largest - smallest, largest])
     }
 }
 
@@ -83,7 +108,28 @@ fn minors(space: Dimension, tensor: &Tensor, slack: Value) -> Vec<Value> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dimension, TOLERANCE, Value, minors, trace};
+    use super::{About, Dimension, Inertia, TOLERANCE, Value, minors, trace};
+
+    #[test]
+    fn principal_moments_are_those_of_the_unrotated_body() {
+        let moments = |tensor: [f64; 6]| {
+            let inertia = Inertia { tensor: tensor.map(Value::number), about: About::Com };
+            inertia.principal_moments().expect("known moments")
+        };
+        // (1, 2, 3) rotated by 45° about z; a rod along (1, 1, 1); a ball; a tensor of no body.
+        let (on, off) = (2.0 / 3.0, -1.0 / 3.0);
+        for (tensor, expected) in [
+            ([1.5, 1.5, 3.0, 0.5, 0.0, 0.0], [1.0, 2.0, 3.0]),
+            ([on, on, on, off, off, off], [0.0, 1.0, 1.0]),
+            ([2.0, 2.0, 2.0, 0.0, 0.0, 0.0], [2.0; 3]),
+            ([0.0, 0.0, 0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 1.0]),
+        ] {
+            for (found, expected) in moments(tensor).into_iter().zip(expected) {
+                // The arc cosine of a double eigenvalue loses half the digits.
+                assert!((found - expected).abs() < 1e-7, "{found} {expected}");
+            }
+        }
+    }
 
     fn is_real(tensor: [f64; 6]) -> bool {
         let tensor = tensor.map(Value::number);

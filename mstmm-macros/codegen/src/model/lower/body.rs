@@ -152,6 +152,13 @@ impl BodyType<'_> {
         fields::missing(&self.block.fields, &required, known)
     }
 
+    /// Returns whether the inertia is written as `tensor(…)`, whose entries other programs have in
+    /// another order.
+    pub fn is_tensor(&self) -> bool {
+        let written = self.field("inertia").and_then(|field| field.value.as_ref());
+        matches!(written, Some(ValueSyntax::Form(form)) if form.word == "tensor")
+    }
+
     /// Where an entry of the inertia tensor stands.
     pub fn inertia_entry(&self, index: usize) -> Option<SpanRange> {
         match self.field("inertia")?.value.as_ref()? {

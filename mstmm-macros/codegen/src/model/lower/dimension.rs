@@ -23,11 +23,15 @@ pub(super) struct Quantity {
     pub unit: &'static str,
     /// Its dimension.
     pub dimension: PhysicalDimension,
+    /// The field for a number of another dimension, for messages: that of the rotations of a hinge
+    /// that also has translations.
+    pub rotational: Option<(PhysicalDimension, &'static str)>,
 }
 
 const fn quantity(name: &'static str, unit: &'static str, powers: [i32; 4]) -> Quantity {
     let [length, mass, time, angle] = powers;
-    Quantity { name, unit, dimension: PhysicalDimension { length, mass, time, angle } }
+    let dimension = PhysicalDimension { length, mass, time, angle };
+    Quantity { name, unit, dimension, rotational: None }
 }
 
 /// A number without a unit.

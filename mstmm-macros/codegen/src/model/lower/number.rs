@@ -80,9 +80,12 @@ impl Context<'_> {
             let message = "the components of a quaternion have no unit; for angles write `rpy(…)`";
             return self.refuse(found.at, message);
         }
+        let rotational = expected.rotational.filter(|(other, _)| dimension.fits(*other));
+        let hint = rotational
+            .map_or_else(String::new, |(_, field)| format!("; for the rotation write `{field}`"));
         self.refuse(
             found.at,
-            format!("expected {}, found {}", expected.described(), dimension.name()),
+            format!("expected {}, found {}{hint}", expected.described(), dimension.name()),
         )
     }
 

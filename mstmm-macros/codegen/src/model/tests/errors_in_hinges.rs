@@ -162,6 +162,22 @@ fn friction_and_limits_are_complete() {
 }
 
 #[test]
+fn rotations_of_a_hinge_with_translations_have_other_fields() {
+    for (field, value, at, message) in [
+        ("damping", "1 N*m*s/rad", "N*m*s/rad", "a damping, `N*s/m`, found a rotational damping"),
+        ("armature", "1 kg*m^2", "kg*m^2", "a mass, found a moment of inertia"),
+    ] {
+        let message = format!("expected {message}; for the rotation write `turning_{field}`");
+        expect_hinge("cylindrical", &format!("{field} = {value};"), &[(at, &message)]);
+    }
+    let limits = "limits = [-1, 1] rad; limit_stiffness = 1 N*m/rad;";
+    let message = "expected …; for the rotation write `turning_limits`";
+    let stiffness = "expected …; for the rotation write `turning_limit_stiffness`";
+    expect_hinge("cylindrical", limits, &[("rad", message), ("N*m/rad", stiffness)]);
+    expect_hinge("slider", "damping = 1 N*m*s/rad;", &[("N*m*s/rad", "… a rotational damping")]);
+}
+
+#[test]
 fn passive_numbers_give_no_energy() {
     expect_hinge(
         "elastic",

@@ -121,6 +121,13 @@ fn inertias_are_physical() {
         "tensor(1, 1, 1, 0.6, 0, 0) about com",
         &[("tensor(1, 1, 1, 0.6, 0, 0)", message)],
     );
+    let order = "`tensor` has the order xx, yy, zz, xy, xz, yz";
+    let moments = "the principal moments are -0.348, 0.0681 and 0.38 kg*m^2";
+    let unordered = "tensor(0.1, 0, 0, 0.2, 0, 0.3)";
+    let message = format!("no real body … other two; {order}; in this order {moments}");
+    expect(written, &format!("{unordered} about com"), &[(unordered, &message)]);
+    let negative = format!("a moment of inertia cannot be negative; {order}");
+    expect(written, "tensor(1, -1, 1, 0, 0, 0) about com", &[("-1", &negative)]);
     // A rod of 2 kg and 1 m has 2/3 kg m² about its end.
     expect(written, "diag(0, 2/3, 2/3) about input", &[]);
 }

@@ -80,7 +80,7 @@ const TRANSLATION_MEASURES: Measures = Measures {
     inertia: MASS,
 };
 
-const ROTATION_MEASURES: Measures = Measures {
+pub(super) const ROTATION_MEASURES: Measures = Measures {
     strain: ANGLE,
     rate: RATE,
     effort: TORQUE,

@@ -1,27 +1,28 @@
 //! Springs, dampers, friction, limits and rotors of a hinge: read by the groups of its degrees of
 //! freedom, the same way for all kinds.
 
-use super::field_names::{FieldNames, measures};
+use super::field_names::{FieldNames, Measures, ROTATION_MEASURES, measures};
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::Quantity;
 use crate::model::lower::fields::Fields;
 use crate::model::{DofGroup, Friction, Limits, Passive, Representation, Value};
 use crate::syntax::ValueSyntax;
 
-/// Reads the passive forces along the strains of a group.
+/// Reads the passive forces along the strains of a group. `rotation` has the fields of the rotations
+/// of the same hinge, if the group has its translations.
 pub(super) fn passive(
     group: &DofGroup,
     names: &FieldNames,
+    rotation: Option<&FieldNames>,
     fields: &Fields,
     context: &mut Context,
 ) -> Vec<Passive> {
-    let mut reader = PassiveReader { group, fields, context };
-    let measures = measures(group);
-    let stiffness = reader.each(names.stiffness, measures.stiffness);
-    let damping = reader.each(names.damping, measures.damping);
-    let armature = reader.each(names.armature, measures.inertia);
-    let friction = reader.friction(names);
-    let limits = reader.limits(names);
+    let mut reader = PassiveReader { group, names, rotation, fields, context };
+    let stiffness = reader.each(|names| names.stiffness, |measures| measures.stiffness);
+    let damping = reader.each(|names| names.damping, |measures| measures.damping);
+    let armature = reader.each(|names| names.armature, |measures| measures.inertia);
+    let friction = reader.friction();
+    let limits = reader.limits();
     let parts = stiffness.into_iter().zip(damping).zip(armature).zip(friction);
     let passive = |(((stiffness, damping), armature), friction)| Passive {
         stiffness,
@@ -37,31 +38,50 @@ pub(super) fn passive(
 /// reported and has a valid default, so that the other fields are still checked.
 struct PassiveReader<'r, 'f, 'c> {
     group: &'r DofGroup,
+    names: &'r FieldNames,
+    rotation: Option<&'r FieldNames>,
     fields: &'r Fields<'f>,
     context: &'r mut Context<'c>,
 }
 
+/// A field of a group.
+type Field = fn(&FieldNames) -> &'static str;
+
 impl PassiveReader<'_, '_, '_> {
+    /// Returns the quantity of a field. It also has the field of the rotations.
+    fn quantity(&self, field: Field, measure: fn(&Measures) -> &'static Quantity) -> Quantity {
+        let rotational =
+            self.rotation.map(|names| (measure(&ROTATION_MEASURES).dimension, field(names)));
+        Quantity { rotational, ..*measure(measures(self.group)) }
+    }
+
     /// Reads a number for each strain: one for all of them, or several. The strains of a quaternion
     /// share one.
-    fn each(&mut self, name: &str, expected: &Quantity) -> Vec<Value> {
+    fn each(&mut self, field: Field, measure: fn(&Measures) -> &'static Quantity) -> Vec<Value> {
+        let expected = &self.quantity(field, measure);
         let count = self.group.rates.len();
         let shared = self.group.representation == Representation::Quaternion;
         self.context.readable(
-            self.fields.get(name),
+            self.fields.get(field(self.names)),
             || vec![Value::number(0.0); count],
             |context, written| match shared {
-                true => context.written_number(written, expected).map(|all| vec![all; count]),
+                true => context.written_number(written, expected).map(|value| vec![value; count]),
                 false => context.each(written, count, expected),
             },
         )
     }
 
     /// A number for all strains.
-    fn number(&mut self, name: &str, expected: &Quantity, without: f64) -> Value {
+    fn number(
+        &mut self,
+        field: Field,
+        measure: fn(&Measures) -> &'static Quantity,
+        default: f64,
+    ) -> Value {
+        let expected = &self.quantity(field, measure);
         self.context.readable(
-            self.fields.get(name),
-            || Value::number(without),
+            self.fields.get(field(self.names)),
+            || Value::number(default),
             |context, written| context.written_number(written, expected),
         )
     }
@@ -72,10 +92,10 @@ impl PassiveReader<'_, '_, '_> {
     }
 
     /// Friction for each strain.
-    fn friction(&mut self, names: &FieldNames) -> Vec<Option<Friction>> {
-        let measures = measures(self.group);
-        let efforts = self.each(names.friction, measures.effort);
-        let speed = self.number(names.friction_speed, measures.rate, 1.0);
+    fn friction(&mut self) -> Vec<Option<Friction>> {
+        let names = self.names;
+        let efforts = self.each(|names| names.friction, |measures| measures.effort);
+        let speed = self.number(|names| names.friction_speed, |measures| measures.rate, 1.0);
         // Without friction its speed is still checked.
         let alone = self.gives(&[names.friction_speed]) && !self.gives(&[names.friction]);
         let friction = |effort: Value| {
@@ -86,24 +106,26 @@ impl PassiveReader<'_, '_, '_> {
     }
 
     /// Limits of all strains.
-    fn limits(&mut self, names: &FieldNames) -> Option<Limits> {
-        let measures = measures(self.group);
-        let form = self.group.representation;
+    fn limits(&mut self) -> Option<Limits> {
+        let names = self.names;
+        let strain = &self.quantity(|names| names.limits, |measures| measures.strain);
+        let representation = self.group.representation;
         let [low, high] = self.context.readable(
             self.fields.get(names.limits),
             || [-1.0, 1.0].map(Value::number),
-            |context, written| match form {
+            |context, written| match representation {
                 Representation::Quaternion => {
-                    let angle = context.written_number(written, measures.strain)?;
+                    let angle = context.written_number(written, strain)?;
                     Some([angle.clone().negated(), angle])
                 }
                 Representation::Numbers | Representation::Angles => {
-                    interval(context, written, measures.strain)
+                    interval(context, written, strain)
                 }
             },
         );
-        let stiffness = self.number(names.limit_stiffness, measures.stiffness, 1.0);
-        let damping = self.number(names.limit_damping, measures.damping, 0.0);
+        let stiffness =
+            self.number(|names| names.limit_stiffness, |measures| measures.stiffness, 1.0);
+        let damping = self.number(|names| names.limit_damping, |measures| measures.damping, 0.0);
         let given = self.gives(&[names.limits, names.limit_stiffness, names.limit_damping]);
         given.then_some(Limits { low, high, stiffness, damping })
     }

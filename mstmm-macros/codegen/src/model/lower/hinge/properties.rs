@@ -60,7 +60,10 @@ pub(crate) fn motion(
         groups(spec).flat_map(|(group, names)| rates(group, fields.get(names.start_rate), context));
     let start_rate = rates.collect();
     let drive = drive(spec, fields, context);
-    let passives = groups(spec).flat_map(|(group, names)| passive(group, names, fields, context));
+    let passives = groups(spec).flat_map(|(group, names)| {
+        let rotation = groups(spec).find(|(other, _)| other.rotational && !group.rotational);
+        passive(group, names, rotation.map(|(_, names)| names), fields, context)
+    });
     let passive = passives.collect();
     HingeProperties { start, rest, start_rate, drive, passive }
 }
