@@ -57,8 +57,8 @@ pub struct Expansion {
 /// `mstmm` is the path of the crate `mstmm` in generated code.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     let mut diagnostics = Diagnostics::default();
-    let written = syntax::parse(description, &mut diagnostics);
-    let chains = understand(&written, &mut diagnostics);
+    let definitions = syntax::parse(description, &mut diagnostics);
+    let chains = understand(&definitions, &mut diagnostics);
     let mut findings = Vec::new();
     if diagnostics.is_empty() {
         let examine = |(chain, _): &Understood| examine::examine(chain, &mut diagnostics);
@@ -74,7 +74,7 @@ pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
     };
     let mut items: TokenStream = match &errors {
         None => chains.iter().zip(&findings).map(expand_chain).collect(),
-        Some(errors) => emit::error_types(&written, errors),
+        Some(errors) => emit::error_types(&definitions, errors),
     };
     items.extend(warnings.iter().map(emit::warning));
     Expansion { items, errors, warnings }
@@ -90,8 +90,8 @@ type Understood = (model::Chain, syntax::Passthrough);
 /// All errors of the text, each on the token to edit.
 pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::Passthrough)>> {
     let mut diagnostics = Diagnostics::default();
-    let written = syntax::parse(description, &mut diagnostics);
-    let chains = understand(&written, &mut diagnostics);
+    let definitions = syntax::parse(description, &mut diagnostics);
+    let chains = understand(&definitions, &mut diagnostics);
     diagnostics.finish().map(|()| chains)
 }
 
@@ -114,6 +114,9 @@ pub fn read_and_examine(
 }
 
 /// Lowers all chains; chains with errors are missing, and so are the chains after them.
-fn understand(written: &[syntax::ChainSyntax], diagnostics: &mut Diagnostics) -> Vec<Understood> {
-    written.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
+fn understand(
+    definitions: &[syntax::ChainSyntax],
+    diagnostics: &mut Diagnostics,
+) -> Vec<Understood> {
+    definitions.iter().filter_map(|def| model::lower(def, diagnostics)).collect()
 }

@@ -24,18 +24,18 @@ pub fn chain_text(
     let layout = Layout::of(chain);
     let compiled = compile(chain, findings, &layout);
     let mut setup = SetupSlots::default();
-    let written = specs(chain, findings, &layout, |compiler, specs| {
+    let programs = specs(chain, findings, &layout, |compiler, specs| {
         let mut all: Vec<(Program, Labels)> = Vec::new();
         for spec in specs {
             let function = (spec.trace)(compiler).function;
-            all.push(written(chain, function, &mut setup));
+            all.push(readable_program(chain, function, &mut setup));
         }
         let function = compiler.setup(&setup, &compiled.checks);
-        all.insert(0, written(chain, function, &mut SetupSlots::default()));
+        all.insert(0, readable_program(chain, function, &mut SetupSlots::default()));
         all
     });
     let functions = std::iter::once(&compiled.setup).chain(&compiled.functions);
-    let all: Vec<(&CompiledFunction, _)> = functions.zip(&written).collect();
+    let all: Vec<(&CompiledFunction, _)> = functions.zip(&programs).collect();
     let wanted =
         all.iter().filter(|(compiled, _)| function.is_none_or(|name| name == compiled.name()));
     let texts = wanted.map(|(compiled, (program, labels))| {
@@ -49,7 +49,11 @@ pub fn chain_text(
 }
 
 /// Returns the program of a function in the order of its equations, and the names for its loops and results.
-fn written(chain: &Chain, function: Function, setup: &mut SetupSlots) -> (Program, Labels) {
+fn readable_program(
+    chain: &Chain,
+    function: Function,
+    setup: &mut SetupSlots,
+) -> (Program, Labels) {
     let repeats = chain.repeats.iter().map(|repeat| {
         let name = chain.hinges[repeat.hinges.first()].name.to_string();
         (name, repeat.count)

@@ -11,13 +11,13 @@ use std::collections::HashSet;
 
 /// Returns the types of results at bodies with named points.
 pub fn types(cx: &EmitContext) -> TokenStream {
-    let mut written = HashSet::new();
+    let mut seen = HashSet::new();
     let bodies = cx.chain.bodies.iter().filter(|body| !body.points.is_empty());
-    bodies.filter(|body| written.insert(body.type_name.to_string())).map(|b| own(cx, b)).collect()
+    bodies.filter(|body| seen.insert(body.type_name.to_string())).map(|b| of_type(cx, b)).collect()
 }
 
 /// Returns the type of results at bodies of one type.
-fn own(cx: &EmitContext, body: &Body) -> TokenStream {
+fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (own_name(cx, body), &cx.passthrough.visibility);
     let (common, point) = (common(cx, body), point_type(cx));
@@ -60,7 +60,7 @@ fn own(cx: &EmitContext, body: &Body) -> TokenStream {
 /// Returns the runtime's type of results at a body.
 fn common(cx: &EmitContext, body: &Body) -> TokenStream {
     let (mstmm, point) = (&cx.mstmm, point_type(cx));
-    match body.written {
+    match body.present {
         PresentPoints::ALL => quote!(#mstmm::BodyResult<T, #point>),
         PresentPoints { output, com } => {
             quote!(#mstmm::BodyResult<T, #point, #mstmm::OptionalPoints<#output, #com>>)
@@ -127,8 +127,9 @@ fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
 /// Lists the points whose results a body has.
 pub fn contents(body: &Body) -> String {
     let names = body.points.iter().map(|point| format!("`{}`", point.name));
-    let ends = [("output", body.written.output), ("centre of mass", body.written.com)];
-    let ends = ends.iter().filter(|(_, written)| *written).map(|(text, _)| (*text).to_owned());
+    let ends = [("output", body.present.output), ("centre of mass", body.present.com)];
+    let ends =
+        ends.iter().filter(|(_, is_present)| *is_present).map(|(text, _)| (*text).to_owned());
     let all: Vec<String> = std::iter::once("input".to_owned()).chain(ends).chain(names).collect();
     let all: Vec<&str> = all.iter().map(String::as_str).collect();
     listed(&all)

@@ -83,7 +83,7 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
             // A long array is not passed by value.
             Witness::Array(array) => {
-                let result = printer.written(*array);
+                let result = printer.stored_result(*array);
                 arrays.extend(
                     quote!(#mstmm::generated::check_finite_slice::<T>(#result.as_slice())?;),
                 );

@@ -108,7 +108,7 @@ impl Printer<'_> {
     }
 
     /// Returns a result that has been written.
-    pub fn written(&self, array: ArrayId) -> TokenStream {
+    pub fn stored_result(&self, array: ArrayId) -> TokenStream {
         match self.destination(array) {
             Destination::Array(place) | Destination::Vector(place) if !self.is_filled(array) => {
                 place.clone()

@@ -171,10 +171,10 @@ impl Printer<'_> {
             }
         }
         // No step writes an empty array.
-        let written = |id: ArrayId| {
+        let is_stored = |id: ArrayId| {
             self.is_filled(id) || self.procedure.body.iter().any(|step| stores_into(step, id))
         };
-        for (id, _) in self.result_arrays().filter(|(id, _)| !written(*id)) {
+        for (id, _) in self.result_arrays().filter(|(id, _)| !is_stored(*id)) {
             if let Destination::New(name) = self.destination(id) {
                 statements.extend(quote!(let #name: [T; 0] = [];));
             }

@@ -34,8 +34,9 @@ impl Inertia {
         }
         let central = about_com(&self.tensor, mass, com);
         let slack = Value::number(TOLERANCE).times(trace(space, &central));
-        let written = Value::number(TOLERANCE_ABOUT_INPUT).times(trace(space, &self.tensor));
-        minors(space, &central, slack.plus(written))
+        let slack_about_input =
+            Value::number(TOLERANCE_ABOUT_INPUT).times(trace(space, &self.tensor));
+        minors(space, &central, slack.plus(slack_about_input))
     }
 
     /// Returns the principal moments, beginning with the smallest; `None` if an entry is not known

@@ -249,7 +249,7 @@ pub struct Body {
     /// Points with a name, in the order written.
     pub points: Vec<NamedPoint>,
     /// Which optional points the description has.
-    pub written: PresentPoints,
+    pub present: PresentPoints,
     /// Its role.
     pub role: Role,
 }

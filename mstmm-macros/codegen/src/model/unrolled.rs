@@ -31,10 +31,10 @@ impl Chain {
         );
         let unrolled = Unrolled { chain: self, most, bodies: &bodies };
         let copy = |&(hinge, repetition): &(HingeId, usize)| {
-            let written = &self.hinges[hinge];
-            let mut copy = written.clone();
-            copy.inboard = unrolled.attachment(hinge, &written.inboard, repetition);
-            copy.outboard = unrolled.attachment(hinge, &written.outboard, repetition);
+            let original = &self.hinges[hinge];
+            let mut copy = original.clone();
+            copy.inboard = unrolled.attachment(hinge, &original.inboard, repetition);
+            copy.outboard = unrolled.attachment(hinge, &original.outboard, repetition);
             copy
         };
         Chain {
@@ -126,14 +126,14 @@ struct Unrolled<'a> {
 
 impl Unrolled<'_> {
     /// Returns the attachment of one side of a hinge in a repetition.
-    fn attachment(&self, hinge: HingeId, written: &Attachment, repetition: usize) -> Attachment {
+    fn attachment(&self, hinge: HingeId, original: &Attachment, repetition: usize) -> Attachment {
         let chain = self.chain;
         let from = chain.repeat_of_hinge(hinge);
-        let place = match (chain.repeat_boundary(written), from) {
+        let place = match (chain.repeat_boundary(original), from) {
             (Some(boundary), Some(repeat)) if repetition > 0 && boundary.repeat == repeat => {
                 return self.on_copy(&self.previous(repeat, hinge), Some(repeat), repetition - 1);
             }
-            _ => chain.before_boundary(written),
+            _ => chain.before_boundary(original),
         };
         self.on_copy(place, from, repetition)
     }

@@ -43,9 +43,9 @@ impl<'g> Sums<'g> {
 
     /// Returns all terms of a sum that is computed for every state; none for other nodes.
     pub(super) fn terms(&self, id: NodeId) -> Option<Vec<Edge>> {
-        let written = self.terms_as_written(id)?;
+        let outer_terms = self.terms_as_written(id)?;
         let mut terms = Vec::new();
-        for term in written {
+        for term in outer_terms {
             match self.inner[term.node() as usize].then(|| self.terms(term.node())).flatten() {
                 Some(inner) => {
                     let signed = |t: Edge| if term.is_negative() { t.negated() } else { t };

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use super::cursor::Cursor;
 use super::lookahead::{begins_field, point};
 use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
-use super::value::written;
+use super::value::value;
 use super::{attribute, lookahead, other_programs};
 use crate::diag::{Diagnostics, nearest};
 
@@ -84,11 +84,11 @@ impl Ends {
         let colon = sign.is_err() && input.punct(':').is_some();
         let has_sign = sign.is_ok();
         let value = match sign {
-            Ok(()) => written(input).map(Some),
+            Ok(()) => value(input).map(Some),
             // The value may follow anyway, or a type.
             Err(error) if colon => {
                 diagnostics.push(error);
-                Ok(written(input).ok().filter(|_| self.is_end(input)))
+                Ok(value(input).ok().filter(|_| self.is_end(input)))
             }
             Err(error) => Err(error),
         };

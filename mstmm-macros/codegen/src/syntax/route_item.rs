@@ -49,10 +49,10 @@ pub(super) fn route_item(
         diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
         return Ok(RouteItemSyntax::Unread { name: Some(own) });
     }
-    let written = inside(input);
+    let arguments_text = inside(input);
     let at = input.next_span();
     if let (None, Some(name), Some(after_name)) = (&arguments, &name, self::arguments(input)?) {
-        diagnostics.error(at, format!("write `{word}({written}) {name}`"));
+        diagnostics.error(at, format!("write `{word}({arguments_text}) {name}`"));
         arguments = Some(after_name);
     }
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
@@ -109,17 +109,17 @@ fn misplaced(
     diagnostics: &mut Diagnostics,
 ) -> Result<RouteItemSyntax> {
     let at = input.next_span();
-    let mut written = inside(input);
+    let mut arguments_text = inside(input);
     if input.punct('<').is_some() {
         while !input.is_empty() && !input.peek_punct(';') && input.punct('>').is_none() {
-            written.extend(input.any().map(|token| token.to_string()));
+            arguments_text.extend(input.any().map(|token| token.to_string()));
         }
     } else {
         input.any();
     }
     let name = name(input);
     let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
-    diagnostics.error(at, format!("write `{word}({written}) {called}`"));
+    diagnostics.error(at, format!("write `{word}({arguments_text}) {called}`"));
     Ok(RouteItemSyntax::Unread { name })
 }
 
@@ -137,7 +137,7 @@ fn inside(input: &Cursor) -> String {
 fn values(mut inside: Cursor) -> Result<Vec<ValueSyntax>> {
     let mut values = Vec::new();
     while !inside.is_empty() {
-        values.push(value::written(&mut inside)?);
+        values.push(value::value(&mut inside)?);
         if inside.punct(',').is_none() {
             inside.check_empty("`,`")?;
         }

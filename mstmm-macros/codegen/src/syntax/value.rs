@@ -11,7 +11,7 @@ use super::tree::{
 use super::{number, unit};
 
 /// Parses a value.
-pub(super) fn written(input: &mut Cursor) -> Result<ValueSyntax> {
+pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.is_empty() || input.peek_punct(';') {
         return Err(input.unexpected("a value"));
     }

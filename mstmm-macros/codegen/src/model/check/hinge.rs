@@ -28,8 +28,8 @@ fn argument(
     arguments: Option<&ArgumentsSyntax>,
     index: usize,
 ) -> SpanRange {
-    let written = arguments.and_then(|arguments| arguments.values.get(index));
-    written.map_or(hinge.at, |written| written.extent())
+    let syntax = arguments.and_then(|arguments| arguments.values.get(index));
+    syntax.map_or(hinge.at, |syntax| syntax.extent())
 }
 
 /// Requires axes that are not zero.

@@ -121,14 +121,14 @@ pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     for PassiveGroup { fields, names, representation, passive } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
         if let (Some(field), Some(limits)) = (fields.get(names.limits), limits)
-            && let Some(written) = &field.value
+            && let Some(syntax) = &field.value
             && once.is_new(field, 0)
         {
             let rule = match representation {
                 Representation::Quaternion => LARGEST_ANGLE,
                 Representation::Numbers | Representation::Angles => WIDTH,
             };
-            requirements.push(vec![rule.condition(limits.width(), written.extent())]);
+            requirements.push(vec![rule.condition(limits.width(), syntax.extent())]);
         }
     }
     requirements

@@ -10,8 +10,8 @@ fn repeats<'d, 'a>(
     draft: &'d Draft<'a>,
 ) -> impl Iterator<Item = (&'d RepeatSyntax, &'d [RouteItem<'a>])> {
     let items = whole_route(draft);
-    let written = draft.def.route.iter().flat_map(|route| &route.repeats);
-    written.filter_map(|repeat| Some((repeat, items.get(repeat.items.clone())?)))
+    let repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
+    repeats.filter_map(|repeat| Some((repeat, items.get(repeat.items.clone())?)))
 }
 
 /// Reports a repeated part at the beginning of a route: its first hinge needs an inboard body.

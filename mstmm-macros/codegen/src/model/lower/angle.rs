@@ -24,8 +24,8 @@ impl Context<'_> {
         if angle.abs() <= TAU || uses_pi(expr, &self.parameters) {
             return;
         }
-        let written = without_sign(default_of(expr, &self.parameters));
-        let message = match written.kind {
+        let edited = without_sign(default_of(expr, &self.parameters));
+        let message = match edited.kind {
             ExprKind::Number(number) => {
                 let number = shown(number);
                 format!(
@@ -41,7 +41,7 @@ impl Context<'_> {
                 turns(angle)
             ),
         };
-        self.diagnostics.warn(written.extent.first, RULE, message);
+        self.diagnostics.warn(edited.extent.first, RULE, message);
     }
 }
 
@@ -69,7 +69,7 @@ fn parameter<'p, 'a>(
 
 /// Returns the expression to edit: the default of a parameter, or the angle itself.
 fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'e ExprSyntax {
-    let default = parameter(without_sign(expr), parameters).and_then(|known| known.written);
+    let default = parameter(without_sign(expr), parameters).and_then(|known| known.default_expr);
     default.unwrap_or(expr)
 }
 
@@ -89,7 +89,7 @@ fn uses_pi(expr: &ExprSyntax, parameters: &[KnownParameter]) -> bool {
         ExprKind::Name(name) if name == "PI" => true,
         // No default uses another parameter.
         ExprKind::Name(_) => {
-            parameter(expr, parameters).and_then(|known| known.written).is_some_and(any)
+            parameter(expr, parameters).and_then(|known| known.default_expr).is_some_and(any)
         }
         ExprKind::Negated(inner) | ExprKind::Power(inner, _) | ExprKind::Quantity(inner, _) => {
             any(inner)

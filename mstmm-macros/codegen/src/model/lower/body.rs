@@ -86,10 +86,10 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
     let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| given.get(f));
     let body_type = BodyType {
         name,
-        mass: mass.and_then(|f| context.field(f, |all, it| all.written_number(it, MASS))),
-        com: com.and_then(|f| context.field(f, |all, it| all.written_vector(it, LENGTH))),
-        inertia: inertia.and_then(|f| context.field(f, |all, it| all.written_inertia(it))),
-        output: output.and_then(|f| context.field(f, |all, it| all.written_frame(it))),
+        mass: mass.and_then(|f| context.field(f, |all, it| all.read_number(it, MASS))),
+        com: com.and_then(|f| context.field(f, |all, it| all.read_vector(it, LENGTH))),
+        inertia: inertia.and_then(|f| context.field(f, |all, it| all.read_inertia(it))),
+        output: output.and_then(|f| context.field(f, |all, it| all.read_frame(it))),
         points: block.points.iter().map(|point| self::point(point, context)).collect(),
         block,
         space: context.space,
@@ -98,7 +98,7 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
 }
 
 fn point<'a>(point: &'a FieldSyntax, context: &mut Context) -> PointDraft<'a> {
-    let position = context.field(point, |all, it| all.written_vector(it, LENGTH));
+    let position = context.field(point, |all, it| all.read_vector(it, LENGTH));
     PointDraft { name: &point.name, position: position.map(|given| given.value) }
 }
 

@@ -40,7 +40,7 @@ pub(super) struct KnownParameter<'a> {
     /// Its default in SI units, if it is known.
     pub default: Option<f64>,
     /// The default as written, if it could be read.
-    pub written: Option<&'a ExprSyntax>,
+    pub default_expr: Option<&'a ExprSyntax>,
 }
 
 /// What a number measures, as far as it is known.
@@ -114,12 +114,12 @@ impl<'a> Context<'a> {
         field: &FieldSyntax,
         read: impl FnOnce(&mut Self, &ValueSyntax) -> Option<T>,
     ) -> Option<Spanned<T>> {
-        let written = field.value.as_ref()?;
+        let syntax = field.value.as_ref()?;
         if self.faulty.contains(&std::ptr::from_ref(field)) {
             return None;
         }
         let requirements = self.requirements.len();
-        let value = read(self, written);
+        let value = read(self, syntax);
         if self.read.contains(&std::ptr::from_ref(field)) {
             self.requirements.truncate(requirements);
         }
@@ -127,7 +127,7 @@ impl<'a> Context<'a> {
         if value.is_none() {
             self.faulty.push(field);
         }
-        value.map(|value| Spanned { value, at: written.extent() })
+        value.map(|value| Spanned { value, at: syntax.extent() })
     }
 
     /// Returns the value of a Rust path; equal paths are the same constant.

@@ -149,7 +149,7 @@ impl Draft<'_> {
             inertia: body_type.inertia.clone()?.value,
             output: body_type.output.clone().map_or_else(Frame::identity, |given| given.value),
             points: body_type.points.iter().map(PointDraft::finish).collect::<Option<_>>()?,
-            written: PresentPoints {
+            present: PresentPoints {
                 output: body_type.gives("output"),
                 com: body_type.gives("com"),
             },
@@ -158,7 +158,7 @@ impl Draft<'_> {
     }
 
     fn repeats(&self, numbers: &Numbering) -> Option<IdVec<RepeatId, Repeat>> {
-        let written = self.def.route.iter().flat_map(|route| &route.repeats);
+        let repeats = self.def.route.iter().flat_map(|route| &route.repeats);
         let repeat = |repeat: &syntax::RepeatSyntax| {
             let items = repeat.items.clone();
             Some(Repeat {
@@ -170,7 +170,7 @@ impl Draft<'_> {
                 from_previous: Vec::new(),
             })
         };
-        written.map(repeat).collect()
+        repeats.map(repeat).collect()
     }
 }
 
@@ -198,7 +198,7 @@ fn end_body(name: &Ident) -> Body {
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
         points: Vec::new(),
-        written: PresentPoints::ALL,
+        present: PresentPoints::ALL,
         role: Role::MovingEnd,
     }
 }

@@ -63,15 +63,15 @@ pub(super) fn entry(form: &FormSyntax, index: usize) -> Option<SpanRange> {
 
 impl Context<'_> {
     /// Reads an inertia tensor.
-    pub fn written_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
+    pub fn read_inertia(&mut self, syntax: &ValueSyntax) -> Option<Inertia> {
         const EXPECTED: &str =
             "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
         if self.space == Dimension::Plane {
-            return self.plane_inertia(written);
+            return self.plane_inertia(syntax);
         }
-        let ValueSyntax::Form(form) = written else {
-            let message = format!("{EXPECTED}, found {}", written.described());
-            return self.refuse(written.extent(), message);
+        let ValueSyntax::Form(form) = syntax else {
+            let message = format!("{EXPECTED}, found {}", syntax.described());
+            return self.refuse(syntax.extent(), message);
         };
         let word = form.word.to_string();
         let Some((_, read)) = TENSORS.iter().find(|(known, _)| *known == word) else {
@@ -84,8 +84,8 @@ impl Context<'_> {
     }
 
     /// Reads the inertia in a plane chain: the moment about z.
-    fn plane_inertia(&mut self, written: &ValueSyntax) -> Option<Inertia> {
-        let (expr, point) = match written {
+    fn plane_inertia(&mut self, syntax: &ValueSyntax) -> Option<Inertia> {
+        let (expr, point) = match syntax {
             ValueSyntax::Number(expr) => (expr, None),
             ValueSyntax::About(expr, point) => (expr, Some(point)),
             other => {

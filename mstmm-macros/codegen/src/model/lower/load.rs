@@ -107,7 +107,7 @@ pub(super) fn loads<'a>(
             fields.add(field, known_fields(block.word, context.space), &owner, context);
         }
         let on = fields.get("on").and_then(|field| {
-            context.field(field, |context, written| on(written, block.word, def, items, context))
+            context.field(field, |context, syntax| on(syntax, block.word, def, items, context))
         });
         let target = LoadTarget { items, types, body: on.map(|on| on.value) };
         match block.word {
@@ -120,18 +120,18 @@ pub(super) fn loads<'a>(
 
 /// Reads the body that a load or a spring acts on.
 fn on(
-    written: &ValueSyntax,
+    syntax: &ValueSyntax,
     of: BlockKeyword,
     def: &ChainSyntax,
     items: &[RouteItem],
     context: &mut Context,
 ) -> Option<BodyId> {
     let bodies = || items.iter().filter(|item| matches!(item, RouteItem::Body { .. }));
-    if let ValueSyntax::PlaceOn(body, extent) = written {
+    if let ValueSyntax::PlaceOn(body, extent) = syntax {
         let message = format!("a point is a separate field: write `on = {body}; at = …;`");
         return context.refuse(*extent, message);
     }
-    if let ValueSyntax::Vector(ListSyntax { entries, .. }) = written
+    if let ValueSyntax::Vector(ListSyntax { entries, .. }) = syntax
         && let [_, second, ..] = &entries[..]
     {
         let message = match of {
@@ -140,10 +140,10 @@ fn on(
         };
         return context.refuse(second.extent, message);
     }
-    let Some(word) = written.word() else {
-        let found = written.described();
+    let Some(word) = syntax.word() else {
+        let found = syntax.described();
         let message = format!("expected the name of a body on the route, found {found}");
-        return context.refuse(written.extent(), message);
+        return context.refuse(syntax.extent(), message);
     };
     if let Some(body) = bodies().position(|item| item.name() == Some(word)) {
         return Some(BodyId(body));
@@ -199,10 +199,10 @@ impl LoadTarget<'_, '_> {
         match field {
             None => com(),
             Some(field) => {
-                let at = |context: &mut Context, written: &ValueSyntax| match written.word() {
+                let at = |context: &mut Context, syntax: &ValueSyntax| match syntax.word() {
                     Some(word) if word == "com" => Some(com()),
-                    Some(word) => self.point(word, written, context),
-                    None => context.written_vector(written, LENGTH).map(Some),
+                    Some(word) => self.point(word, syntax, context),
+                    None => context.read_vector(syntax, LENGTH).map(Some),
                 };
                 context.field(field, at)?.value
             }
@@ -213,7 +213,7 @@ impl LoadTarget<'_, '_> {
     fn point(
         &self,
         word: &Ident,
-        written: &ValueSyntax,
+        syntax: &ValueSyntax,
         context: &mut Context,
     ) -> Option<Option<[Value; 3]>> {
         if word == "input" {
@@ -232,7 +232,7 @@ impl LoadTarget<'_, '_> {
             return Some(point.position.clone());
         }
         if context.space == Dimension::Line {
-            return context.written_vector(written, LENGTH).map(Some);
+            return context.read_vector(syntax, LENGTH).map(Some);
         }
         // The unknown field is reported already.
         if body_type.has_unknown_field(word) {
@@ -261,19 +261,19 @@ fn load<'a>(
         body: target.body,
         at: target.at(fields.get("at"), context),
         axes: context.optional(fields.get("axes"), || LoadAxes::Inertial, axes),
-        force: context.source(fields.get("force"), |context, it| context.written_vector(it, FORCE)),
+        force: context.source(fields.get("force"), |context, it| context.read_vector(it, FORCE)),
         torque: context
-            .source(fields.get("torque"), |context, it| context.written_rotational(it, TORQUE)),
+            .source(fields.get("torque"), |context, it| context.read_rotational(it, TORQUE)),
     }
 }
 
-fn axes(context: &mut Context, written: &ValueSyntax) -> Option<LoadAxes> {
-    let word = written.word().map_or_else(String::new, ToString::to_string);
+fn axes(context: &mut Context, syntax: &ValueSyntax) -> Option<LoadAxes> {
+    let word = syntax.word().map_or_else(String::new, ToString::to_string);
     let known = AXES.iter().find(|(name, _)| *name == word).map(|&(_, axes)| axes);
     if known.is_none() {
         let hint = did_you_mean(&word, AXES.iter().map(|(name, _)| *name));
-        let message = format!("expected `inertial` or `body`, found {}{hint}", written.described());
-        context.diagnostics.error_over(written.extent(), message);
+        let message = format!("expected `inertial` or `body`, found {}{hint}", syntax.described());
+        context.diagnostics.error_over(syntax.extent(), message);
     }
     known
 }
@@ -285,17 +285,17 @@ fn spring<'a>(
     target: &LoadTarget,
     context: &mut Context,
 ) -> SpringDraft<'a> {
-    let to = |context: &mut Context, written: &ValueSyntax| match not_on_ground(written, target) {
+    let to = |context: &mut Context, syntax: &ValueSyntax| match not_on_ground(syntax, target) {
         Some((at, message)) => context.refuse(at, message),
-        None => context.written_vector(written, LENGTH),
+        None => context.read_vector(syntax, LENGTH),
     };
     let [stiffness, damping, length] =
         [("stiffness", STIFFNESS), ("damping", DAMPING), ("length", LENGTH)].map(
             |(name, expected)| match fields.get(name) {
                 None => Some(None),
-                Some(field) => context
-                    .field(field, |context, it| context.written_number(it, expected))
-                    .map(Some),
+                Some(field) => {
+                    context.field(field, |context, it| context.read_number(it, expected)).map(Some)
+                }
             },
         );
     SpringDraft {
@@ -311,8 +311,8 @@ fn spring<'a>(
 }
 
 /// Returns the span and the message if the end of a spring is not a point on the ground.
-fn not_on_ground(written: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRange, String)> {
-    let word = match written {
+fn not_on_ground(syntax: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRange, String)> {
+    let word = match syntax {
         ValueSyntax::PlaceOn(body, _) => body,
         other => other.word()?,
     };

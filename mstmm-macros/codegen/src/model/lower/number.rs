@@ -321,13 +321,12 @@ impl Context<'_> {
         if FUNCTIONS.iter().all(|known| function != known) {
             return self.unknown_function(function);
         }
-        let [argument] = arguments else {
+        let [argument_expr] = arguments else {
             return self.refuse(expr.extent, format!("`{function}` has one argument"));
         };
-        let written = argument;
-        let argument = self.measure(written)?;
+        let argument = self.measure(argument_expr)?;
         if function != "sqrt" {
-            self.warn_of_degrees(&argument, written, ANGLE);
+            self.warn_of_degrees(&argument, argument_expr, ANGLE);
         }
         let measure = match argument.measure {
             Measure::Of(dimension) if function == "sqrt" => match dimension.root() {

@@ -54,8 +54,8 @@ impl Context<'_> {
     }
 
     /// Reads an orientation after `=`.
-    pub fn written_orientation(&mut self, written: &ValueSyntax) -> Option<Orientation> {
-        match written {
+    pub fn read_orientation(&mut self, syntax: &ValueSyntax) -> Option<Orientation> {
+        match syntax {
             ValueSyntax::Form(form) => self.orientation(form),
             other => {
                 let message = format!("{EXPECTED}, found {}", other.described());
@@ -99,8 +99,8 @@ impl Context<'_> {
     }
 
     /// Reads a frame after `=`: its position and, if written, its orientation.
-    pub fn written_frame(&mut self, written: &ValueSyntax) -> Option<Frame> {
-        match written {
+    pub fn read_frame(&mut self, syntax: &ValueSyntax) -> Option<Frame> {
+        match syntax {
             ValueSyntax::Turned(position, orientation) => {
                 self.frame(Some(position), Some(orientation))
             }
@@ -116,7 +116,7 @@ impl Context<'_> {
     ) -> Option<Frame> {
         let position = match position {
             None => Some(zeros()),
-            Some(written) => self.written_vector(written, LENGTH),
+            Some(syntax) => self.read_vector(syntax, LENGTH),
         };
         let turned = orientation.map(|orientation| self.rotation(orientation));
         let rotation = match turned {

@@ -13,7 +13,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
     let mut parameters = Vec::new();
     for (index, (ParameterSyntax { field, repetitions }, read)) in read.into_iter().enumerate() {
         let FieldSyntax { name, value, .. } = field;
-        let written = match value {
+        let default_expr = match value {
             Some(ValueSyntax::Number(expr)) if read.is_some() => Some(expr),
             _ => None,
         };
@@ -25,7 +25,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
             Measure::Of(dimension) => dimension.unit(),
             _ => String::new(),
         };
-        let known = KnownParameter { name, measure, default: default.known(), written };
+        let known = KnownParameter { name, measure, default: default.known(), default_expr };
         context.parameters.push(known);
         parameters.push(Parameter { name: name.clone(), default, unit, repetitions: *repetitions });
     }
@@ -33,7 +33,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
 }
 
 fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measure)> {
-    let given = context.field(field, |context, written| match written {
+    let given = context.field(field, |context, syntax| match syntax {
         ValueSyntax::Number(expr) => {
             let measured = context.measure(expr)?;
             let value = context.finite(measured.value, expr.extent)?;

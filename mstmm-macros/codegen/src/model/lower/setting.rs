@@ -49,9 +49,8 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
         }
         given.add(field, SETTINGS, &owner, context);
     }
-    let gravity = context.source(given.get("gravity"), |context, written| {
-        context.written_vector(written, ACCELERATION)
-    });
+    let gravity = context
+        .source(given.get("gravity"), |context, syntax| context.read_vector(syntax, ACCELERATION));
     let method = given.get("method").and_then(|field| context.field(field, method));
     let results = given.get("results").and_then(|field| context.field(field, results));
     let answers = given.get("answers").and_then(|field| context.field(field, answers));
@@ -63,29 +62,29 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
     }
 }
 
-fn method(context: &mut Context, written: &ValueSyntax) -> Option<SolutionMethod> {
-    let word = written.word().map_or_else(String::new, ToString::to_string);
+fn method(context: &mut Context, syntax: &ValueSyntax) -> Option<SolutionMethod> {
+    let word = syntax.word().map_or_else(String::new, ToString::to_string);
     let known = METHODS.iter().find(|(name, _)| *name == word).map(|&(_, method)| method);
     if known.is_none() {
         let hint = did_you_mean(&word, METHODS.iter().map(|(name, _)| *name));
-        let found = written.described();
+        let found = syntax.described();
         let message = format!("expected `riccati` or `transfer`, found {found}{hint}");
-        context.diagnostics.error_over(written.extent(), message);
+        context.diagnostics.error_over(syntax.extent(), message);
     }
     known
 }
 
-fn results(context: &mut Context, written: &ValueSyntax) -> Option<Results> {
-    let chosen = chosen(context, written, &Choices { known: RESULTS, example: "[z, poses]" })?;
+fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
+    let chosen = chosen(context, syntax, &Choices { known: RESULTS, example: "[z, poses]" })?;
     let mut results = Results::NONE;
     chosen.into_iter().for_each(|result| *result(&mut results) = true);
     Some(results)
 }
 
-fn answers(context: &mut Context, written: &ValueSyntax) -> Option<Vec<Answer>> {
+fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Answer>> {
     let known: Vec<(&str, Answer)> =
         Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
-    chosen(context, written, &Choices { known: &known, example: "[bias_efforts]" })
+    chosen(context, syntax, &Choices { known: &known, example: "[bias_efforts]" })
 }
 
 /// Keywords that may be chosen.
@@ -98,10 +97,10 @@ struct Choices<'a, T> {
 /// Reads one keyword, or several in brackets, each at most once.
 fn chosen<T: Copy>(
     context: &mut Context,
-    written: &ValueSyntax,
+    syntax: &ValueSyntax,
     words: &Choices<T>,
 ) -> Option<Vec<T>> {
-    let entries = match written {
+    let entries = match syntax {
         ValueSyntax::Number(entry) => std::slice::from_ref(entry),
         ValueSyntax::Vector(ListSyntax { unit: Some(unit), .. }) => {
             return context.refuse(unit.extent, "a keyword has no unit: remove the unit");
@@ -110,7 +109,7 @@ fn chosen<T: Copy>(
             return context.refuse(*extent, words.missing("nothing"));
         }
         ValueSyntax::Vector(ListSyntax { entries, .. }) => entries,
-        _ => return context.refuse(written.extent(), words.missing(written.described())),
+        _ => return context.refuse(syntax.extent(), words.missing(syntax.described())),
     };
     let (mut chosen, mut right): (Vec<usize>, bool) = (Vec::new(), true);
     for entry in entries {

@@ -12,8 +12,8 @@ use crate::syntax::{
 
 impl Context<'_> {
     /// Reads a number after `=`.
-    pub fn written_number(&mut self, written: &ValueSyntax, expected: &Quantity) -> Option<Value> {
-        match written {
+    pub fn read_number(&mut self, syntax: &ValueSyntax, expected: &Quantity) -> Option<Value> {
+        match syntax {
             ValueSyntax::Number(expr) => self.number(expr, expected),
             ValueSyntax::Form(form) if FORMS.iter().all(|known| form.word != known) => {
                 self.unknown_function(&form.word)
@@ -32,15 +32,11 @@ impl Context<'_> {
 
     /// Reads a vector of the chain's dimension after `=`, which is a number in a line chain.
     /// Components outside the dimension are zero.
-    pub fn written_vector(
-        &mut self,
-        written: &ValueSyntax,
-        expected: &Quantity,
-    ) -> Option<[Value; 3]> {
+    pub fn read_vector(&mut self, syntax: &ValueSyntax, expected: &Quantity) -> Option<[Value; 3]> {
         let mut vector = zeros();
         let translations = self.space.translations();
         for (&axis, part) in
-            translations.iter().zip(self.components(written, translations.len(), expected)?)
+            translations.iter().zip(self.components(syntax, translations.len(), expected)?)
         {
             vector[axis] = part;
         }
@@ -49,15 +45,15 @@ impl Context<'_> {
 
     /// Reads a vector of rotations in the chain's dimension after `=`: a vector in space, a number
     /// in a plane chain.
-    pub fn written_rotational(
+    pub fn read_rotational(
         &mut self,
-        written: &ValueSyntax,
+        syntax: &ValueSyntax,
         expected: &Quantity,
     ) -> Option<[Value; 3]> {
         let mut vector = zeros();
         let rotations = self.space.rotations();
         for (&axis, part) in
-            rotations.iter().zip(self.components(written, rotations.len(), expected)?)
+            rotations.iter().zip(self.components(syntax, rotations.len(), expected)?)
         {
             vector[axis] = part;
         }
@@ -67,14 +63,14 @@ impl Context<'_> {
     /// Reads `count` numbers after `=`; a single one has no brackets.
     pub fn components(
         &mut self,
-        written: &ValueSyntax,
+        syntax: &ValueSyntax,
         count: usize,
         expected: &Quantity,
     ) -> Option<Vec<Value>> {
         if count == 1 {
-            return self.written_number(written, expected).map(|number| vec![number]);
+            return self.read_number(syntax, expected).map(|number| vec![number]);
         }
-        match written {
+        match syntax {
             ValueSyntax::Vector(list) => self.vector(list, count, expected),
             ValueSyntax::Turned(_, orientation) => {
                 let message =
@@ -98,13 +94,13 @@ impl Context<'_> {
     /// Reads `count` numbers after `=`, or one number for all of them.
     pub fn each(
         &mut self,
-        written: &ValueSyntax,
+        syntax: &ValueSyntax,
         count: usize,
         expected: &Quantity,
     ) -> Option<Vec<Value>> {
-        match written {
+        match syntax {
             ValueSyntax::Vector(list) if count > 1 => self.vector(list, count, expected),
-            other => self.written_number(other, expected).map(|number| vec![number; count]),
+            other => self.read_number(other, expected).map(|number| vec![number; count]),
         }
     }
 
@@ -187,16 +183,16 @@ impl Context<'_> {
         self.optional(
             field,
             || Source::Nothing,
-            |context, written| match context.asks_for_input(written)? {
+            |context, syntax| match context.asks_for_input(syntax)? {
                 true => Some(Source::Input),
-                false => read(context, written).map(Source::Constant),
+                false => read(context, syntax).map(Source::Constant),
             },
         )
     }
 
     /// Returns whether this is the keyword `input`. A misspelt one is reported.
-    pub fn asks_for_input(&mut self, written: &ValueSyntax) -> Option<bool> {
-        let Some(word) = written.word() else { return Some(false) };
+    pub fn asks_for_input(&mut self, syntax: &ValueSyntax) -> Option<bool> {
+        let Some(word) = syntax.word() else { return Some(false) };
         let text = word.to_string();
         let is_parameter = self.parameters.iter().any(|other| other.name == word);
         let is_constant = text == text.to_uppercase();
@@ -233,8 +229,8 @@ impl Context<'_> {
 }
 
 /// Returns the unit of a single number if the unit has another usual meaning.
-fn misread_unit(written: &ValueSyntax, expected: &Quantity) -> Option<(SpanRange, &'static str)> {
-    let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) = written else {
+fn misread_unit(syntax: &ValueSyntax, expected: &Quantity) -> Option<(SpanRange, &'static str)> {
+    let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Quantity(_, unit), .. }) = syntax else {
         return None;
     };
     Some((unit.extent, misread_symbol(unit, expected)?))

@@ -86,8 +86,8 @@ impl TextPrinter<'_> {
     fn under(&mut self, title: &str, source: &str, write: impl FnOnce(&mut Self)) {
         let first = self.lines.len();
         write(self);
-        let written = self.lines.split_off(first);
-        if written.is_empty() {
+        let lines = self.lines.split_off(first);
+        if lines.is_empty() {
             return;
         }
         let source = if source.is_empty() { String::new() } else { format!(", {source}") };
@@ -97,7 +97,7 @@ impl TextPrinter<'_> {
             self.line(&heading);
             self.heading = heading;
         }
-        self.lines.extend(written);
+        self.lines.extend(lines);
     }
 
     /// Writes an empty line, except at the start of a block.

@@ -18,8 +18,8 @@ pub(super) fn unit(index: usize) -> [Value; 3] {
 }
 
 /// A word for an axis, with its sign.
-fn word(written: &ValueSyntax) -> Option<(f64, usize)> {
-    let ValueSyntax::Number(expr) = written else { return None };
+fn word(syntax: &ValueSyntax) -> Option<(f64, usize)> {
+    let ValueSyntax::Number(expr) = syntax else { return None };
     let (sign, expr) = match &expr.kind {
         ExprKind::Negated(inner) => (-1.0, &**inner),
         _ => (1.0, expr),
@@ -29,32 +29,32 @@ fn word(written: &ValueSyntax) -> Option<(f64, usize)> {
 }
 
 /// Whether this is an axis, right or wrong.
-pub(super) fn is_axis(written: &ValueSyntax) -> bool {
-    matches!(written, ValueSyntax::Vector(_)) || word(written).is_some()
+pub(super) fn is_axis(syntax: &ValueSyntax) -> bool {
+    matches!(syntax, ValueSyntax::Vector(_)) || word(syntax).is_some()
 }
 
 /// An axis: a word or a vector. In a plane chain it lies in the plane.
-pub(super) fn axis(written: &ValueSyntax, context: &mut Context) -> Option<[Value; 3]> {
-    if let ValueSyntax::Vector(_) = written {
-        return context.written_vector(written, NUMBER);
+pub(super) fn axis(syntax: &ValueSyntax, context: &mut Context) -> Option<[Value; 3]> {
+    if let ValueSyntax::Vector(_) = syntax {
+        return context.read_vector(syntax, NUMBER);
     }
-    let known = word(written).filter(|(_, index)| context.space.translations().contains(index));
+    let known = word(syntax).filter(|(_, index)| context.space.translations().contains(index));
     let Some((sign, index)) = known else {
         let expected = match context.space {
             Dimension::Space => "`x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`",
             Dimension::Plane => "`x`, `y`, `-x`, `-y` or `[a, b]`",
             Dimension::Line => "`x` or `-x`",
         };
-        return context.refuse(written.extent(), format!("expected an axis: {expected}"));
+        return context.refuse(syntax.extent(), format!("expected an axis: {expected}"));
     };
     // `0 − x` instead of `−x`: the sign of a zero has no meaning here.
     Some(if sign < 0.0 { unit(index).map(Value::negated) } else { unit(index) })
 }
 
 /// Which axis a normal is: a word without a sign.
-pub(super) fn normal(written: &ValueSyntax, context: &mut Context) -> Option<usize> {
-    match word(written) {
+pub(super) fn normal(syntax: &ValueSyntax, context: &mut Context) -> Option<usize> {
+    match word(syntax) {
         Some((sign, index)) if sign > 0.0 => Some(index),
-        _ => context.refuse(written.extent(), "expected a normal: `x`, `y` or `z`"),
+        _ => context.refuse(syntax.extent(), "expected a normal: `x`, `y` or `z`"),
     }
 }

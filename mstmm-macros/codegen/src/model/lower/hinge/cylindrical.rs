@@ -18,9 +18,9 @@ fn plain(space: Dimension) -> Option<HingeKind> {
 }
 
 fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
-    let [written] = &arguments.values[..] else {
+    let [syntax] = &arguments.values[..] else {
         let message = "a cylindrical hinge has one axis, such as `cylindrical(z)`";
         return context.refuse(arguments.extent, message);
     };
-    axis(written, context).map(|axis| HingeKind::Cylindrical { axis })
+    axis(syntax, context).map(|axis| HingeKind::Cylindrical { axis })
 }

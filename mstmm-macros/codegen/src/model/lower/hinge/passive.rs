@@ -64,9 +64,9 @@ impl PassiveReader<'_, '_, '_> {
         self.context.readable(
             self.fields.get(field(self.names)),
             || vec![Value::number(0.0); count],
-            |context, written| match shared {
-                true => context.written_number(written, expected).map(|value| vec![value; count]),
-                false => context.each(written, count, expected),
+            |context, syntax| match shared {
+                true => context.read_number(syntax, expected).map(|value| vec![value; count]),
+                false => context.each(syntax, count, expected),
             },
         )
     }
@@ -82,7 +82,7 @@ impl PassiveReader<'_, '_, '_> {
         self.context.readable(
             self.fields.get(field(self.names)),
             || Value::number(default),
-            |context, written| context.written_number(written, expected),
+            |context, syntax| context.read_number(syntax, expected),
         )
     }
 
@@ -113,13 +113,13 @@ impl PassiveReader<'_, '_, '_> {
         let [low, high] = self.context.readable(
             self.fields.get(names.limits),
             || [-1.0, 1.0].map(Value::number),
-            |context, written| match representation {
+            |context, syntax| match representation {
                 Representation::Quaternion => {
-                    let angle = context.written_number(written, strain)?;
+                    let angle = context.read_number(syntax, strain)?;
                     Some([angle.clone().negated(), angle])
                 }
                 Representation::Numbers | Representation::Angles => {
-                    interval(context, written, strain)
+                    interval(context, syntax, strain)
                 }
             },
         );
@@ -133,10 +133,10 @@ impl PassiveReader<'_, '_, '_> {
 
 fn interval(
     context: &mut Context,
-    written: &ValueSyntax,
+    syntax: &ValueSyntax,
     expected: &Quantity,
 ) -> Option<[Value; 2]> {
-    match written {
+    match syntax {
         ValueSyntax::Vector(list) => context.vector(list, 2, expected)?.try_into().ok(),
         other => {
             let message =

@@ -19,8 +19,8 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
         let message = "a pin of a plane chain rotates about z: write `pin` without an axis";
         return context.refuse(arguments.extent, message);
     }
-    let [written] = &arguments.values[..] else {
+    let [syntax] = &arguments.values[..] else {
         return context.refuse(arguments.extent, "a pin has one axis, such as `pin(z)`");
     };
-    axis(written, context).map(|axis| HingeKind::Pin { axis })
+    axis(syntax, context).map(|axis| HingeKind::Pin { axis })
 }

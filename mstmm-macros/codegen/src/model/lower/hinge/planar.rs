@@ -17,9 +17,9 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
     if context.space == Dimension::Plane {
         return nothing("planar", arguments, context);
     }
-    let [written] = &arguments.values[..] else {
+    let [syntax] = &arguments.values[..] else {
         let message = "a planar hinge has one normal, such as `planar(z)`";
         return context.refuse(arguments.extent, message);
     };
-    normal(written, context).map(|normal| HingeKind::Planar { normal })
+    normal(syntax, context).map(|normal| HingeKind::Planar { normal })
 }

@@ -53,7 +53,7 @@ pub(crate) fn motion(
         context.readable(
             fields.get(name),
             || zero_position(spec),
-            |context, written| position(spec, written, context),
+            |context, syntax| position(spec, syntax, context),
         )
     });
     let rates =
@@ -71,18 +71,18 @@ pub(crate) fn motion(
 /// The coordinates of a position.
 fn position(
     spec: &'static HingeSpec,
-    written: &ValueSyntax,
+    syntax: &ValueSyntax,
     context: &mut Context,
 ) -> Option<Vec<Value>> {
-    let translations = |written, group: &DofGroup, context: &mut Context| {
-        context.components(written, group.rates.len(), measures(group).strain)
+    let translations = |syntax, group: &DofGroup, context: &mut Context| {
+        context.components(syntax, group.rates.len(), measures(group).strain)
     };
     match spec.groups {
         [group] if group.representation == Representation::Quaternion => {
-            Some(context.written_orientation(written)?.quaternion().to_vec())
+            Some(context.read_orientation(syntax)?.quaternion().to_vec())
         }
-        [group] => translations(written, group, context),
-        [first, second, ..] => match written {
+        [group] => translations(syntax, group, context),
+        [first, second, ..] => match syntax {
             ValueSyntax::Turned(position, orientation) => {
                 let (position, turned) =
                     (translations(position, first, context), turned(second, orientation, context));
@@ -124,7 +124,7 @@ fn rates(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context) -
     context.readable(
         field,
         || vec![Value::number(0.0); count],
-        |context, written| context.components(written, count, measures(group).rate),
+        |context, syntax| context.components(syntax, count, measures(group).rate),
     )
 }
 
@@ -137,15 +137,15 @@ fn drive(spec: &'static HingeSpec, fields: &Fields, context: &mut Context) -> Dr
     let prescribed = context.readable(
         fields.get("motion"),
         || false,
-        |context, written| match context.asks_for_input(written)? {
+        |context, syntax| match context.asks_for_input(syntax)? {
             true => Some(true),
             false => {
-                let found = written.described();
+                let found = syntax.described();
                 let message = format!(
                     "expected `motion = input`, found \
                              {found}"
                 );
-                context.refuse(written.extent(), message)
+                context.refuse(syntax.extent(), message)
             }
         },
     );
@@ -158,10 +158,10 @@ fn efforts(group: &DofGroup, field: Option<&FieldSyntax>, context: &mut Context)
     context.readable(
         field,
         || vec![Effort::Free; count],
-        |context, written| match context.asks_for_input(written)? {
+        |context, syntax| match context.asks_for_input(syntax)? {
             true => Some(vec![Effort::Input; count]),
             false => {
-                let numbers = context.components(written, count, measures(group).effort)?;
+                let numbers = context.components(syntax, count, measures(group).effort)?;
                 Some(numbers.into_iter().map(Effort::Constant).collect())
             }
         },

@@ -33,6 +33,6 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
             return context.refuse(arguments.extent, message);
         }
     };
-    let pitch = context.written_number(pitch, PITCH);
+    let pitch = context.read_number(pitch, PITCH);
     Some(HingeKind::Screw { axis: along?, pitch: pitch? })
 }

@@ -22,8 +22,8 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
     if context.space == Dimension::Line {
         return nothing("slider", arguments, context);
     }
-    let [written] = &arguments.values[..] else {
+    let [syntax] = &arguments.values[..] else {
         return context.refuse(arguments.extent, "a slider has one axis, such as `slider(x)`");
     };
-    axis(written, context).map(|axis| HingeKind::Slider { axis })
+    axis(syntax, context).map(|axis| HingeKind::Slider { axis })
 }
