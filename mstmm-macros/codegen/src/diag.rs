@@ -178,11 +178,11 @@ impl Diagnostics {
         let beyond =
             self.beyond.map(|(at, count)| Error::new(at, format!("… and {count} more errors")));
         let errors = self.errors.into_iter().map(|(_, error)| error).chain(beyond);
-        match errors.reduce(|mut all, next| {
-            all.combine(next);
-            all
+        match errors.reduce(|mut error, next| {
+            error.combine(next);
+            error
         }) {
-            Some(all) => Err(all),
+            Some(error) => Err(error),
             None => Ok(()),
         }
     }
@@ -216,12 +216,12 @@ impl SourcePosition {
 }
 
 /// Returns `; did you mean …?` if one of `known` is close to `word`, otherwise an empty text.
-pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    nearest(word, known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, candidates).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 
 /// Returns the closest of `known` to `word`, if any is close.
-pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = letters(word);
     let near = |candidate: &'a str| {
         // A one-letter word with another letter is another name, not a typing error.
@@ -233,7 +233,11 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         let distance = edit_distance(&letters, &self::letters(candidate));
         (distance <= most).then_some((distance, candidate))
     };
-    known.into_iter().filter_map(near).min_by_key(|&(distance, _)| distance).map(|(_, near)| near)
+    candidates
+        .into_iter()
+        .filter_map(near)
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, near)| near)
 }
 
 /// Returns the letters of a word in lower case.

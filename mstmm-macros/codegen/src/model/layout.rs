@@ -207,21 +207,21 @@ fn consecutive<C: FromIterator<Range<usize>>>(lengths: impl Iterator<Item = usiz
 }
 
 fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
-    let mut given: Vec<(InputKind, usize)> = Vec::new();
+    let mut inputs: Vec<(InputKind, usize)> = Vec::new();
     let (translations, rotations) =
         (chain.dimension.translations().len(), chain.dimension.rotations().len());
     if chain.gravity == Source::Input {
-        given.push((InputKind::Gravity, translations));
+        inputs.push((InputKind::Gravity, translations));
     }
     for (index, hinge) in chain.hinges.enumerate() {
         match &hinge.drive {
             Drive::Prescribed => {
                 let count = hinge.kind.coordinates() + 2 * hinge.kind.dof_count();
-                given.push((InputKind::Motion(index), count));
+                inputs.push((InputKind::Motion(index), count));
             }
             Drive::Efforts(efforts) => {
                 let count = efforts.iter().filter(|effort| **effort == Effort::Input).count();
-                given.push((InputKind::Efforts(index), count));
+                inputs.push((InputKind::Efforts(index), count));
             }
         }
     }
@@ -231,13 +231,13 @@ fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
             (torque, InputKind::Torque(index), rotations),
         ] {
             if *source == Source::Input {
-                given.push((what, count));
+                inputs.push((what, count));
             }
         }
     }
-    given.retain(|(_, count)| *count > 0);
-    let ranges: Vec<Range<usize>> = consecutive(given.iter().map(|(_, count)| *count));
-    given.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()
+    inputs.retain(|(_, count)| *count > 0);
+    let ranges: Vec<Range<usize>> = consecutive(inputs.iter().map(|(_, count)| *count));
+    inputs.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()
 }
 
 /// The spanning tree of a chain.

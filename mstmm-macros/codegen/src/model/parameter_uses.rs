@@ -80,10 +80,10 @@ impl Chain {
             springs.map(|spring| (self.repeat_of_body(spring.on.body), of_spring(spring)));
         let attachments = self.hinges.iter().map(|hinge| (None, of_attachments(hinge)));
         let gravity = std::iter::once((None, of_source(&self.gravity)));
-        let all =
+        let users =
             bodies.chain(hinges).chain(loads).chain(springs).chain(attachments).chain(gravity);
         let mut parts: Vec<Option<RepeatId>> =
-            all.filter(|(_, values)| used(values.clone())).map(|(part, _)| part).collect();
+            users.filter(|(_, values)| used(values.clone())).map(|(part, _)| part).collect();
         parts.sort();
         parts
     }

@@ -137,14 +137,17 @@ impl Limits {
 impl Chain {
     /// Returns the checks when parameters are set.
     pub fn checks(&self) -> Vec<Check> {
-        let of = |part, own: Vec<Check>| own.into_iter().map(move |check| Check { part, ..check });
+        let with_part =
+            |part, checks: Vec<Check>| checks.into_iter().map(move |check| Check { part, ..check });
         let bodies = self.bodies.enumerate();
-        let bodies = bodies.flat_map(|(id, body)| of(self.repeat_of_body(id), of_body(body)));
+        let bodies =
+            bodies.flat_map(|(id, body)| with_part(self.repeat_of_body(id), of_body(body)));
         let hinges = self.hinges.enumerate();
-        let hinges = hinges.flat_map(|(id, hinge)| of(self.repeat_of_hinge(id), of_hinge(hinge)));
+        let hinges =
+            hinges.flat_map(|(id, hinge)| with_part(self.repeat_of_hinge(id), of_hinge(hinge)));
         let springs = self.springs.iter();
-        let springs =
-            springs.flat_map(|spring| of(self.repeat_of_body(spring.on.body), of_spring(spring)));
+        let springs = springs
+            .flat_map(|spring| with_part(self.repeat_of_body(spring.on.body), of_spring(spring)));
         let mut checks: Vec<Check> = bodies.chain(hinges).chain(springs).collect();
         // A loop over the repetitions of a part writes to one slice of checks.
         checks.sort_by_key(|check| check.part);
@@ -156,7 +159,7 @@ impl Chain {
 /// are set one by one, so three moments could never be increased.
 fn of_body(body: &Body) -> Vec<Check> {
     let owner = format!("body `{}`", body.name);
-    let moments = body.inertia.tensor[..3].iter().filter_map(|one| MOMENT.check(one, &owner));
+    let moments = body.inertia.tensor[..3].iter().filter_map(|moment| MOMENT.check(moment, &owner));
     MASS.check(&body.mass, &owner).into_iter().chain(moments).collect()
 }
 

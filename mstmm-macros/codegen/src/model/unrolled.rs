@@ -90,12 +90,12 @@ impl<I: Id + std::hash::Hash> Copies<I> {
     fn of(
         chain: &Chain,
         most: usize,
-        all: IdRange<I>,
+        ids: IdRange<I>,
         range: impl Fn(&Repeat) -> IdRange<I>,
         is_boundary: impl Fn(I) -> bool,
     ) -> Self {
         let mut order: Vec<(I, usize)> = Vec::new();
-        for id in all.into_iter().filter(|&id| !is_boundary(id)) {
+        for id in ids.into_iter().filter(|&id| !is_boundary(id)) {
             match chain.repeats.iter().find(|repeat| range(repeat).contains(id)) {
                 None => order.push((id, 0)),
                 Some(repeat) if range(repeat).first() == id => {

@@ -237,8 +237,8 @@ fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool
 fn setting(input: &mut Cursor) -> Option<Ident> {
     let mut ahead = *input;
     let name = ahead.ident()?;
-    let given = ahead.peek_punct('=') && !ahead.peek_pair('=', '>');
-    if !given && SETTINGS.iter().all(|setting| name != setting) {
+    let is_field = ahead.peek_punct('=') && !ahead.peek_pair('=', '>');
+    if !is_field && SETTINGS.iter().all(|setting| name != setting) {
         return None;
     }
     *input = ahead;

@@ -44,10 +44,10 @@ pub(super) fn route_item(
     let place = place.or_else(|| value::place(input));
     if arguments.is_none()
         && let Some(axis) = name.as_ref().filter(|name| AXES.iter().any(|axis| name == axis))
-        && let Some(own) = self::name(input)
+        && let Some(name_after) = self::name(input)
     {
-        diagnostics.error(axis.span(), format!("write `{word}({axis}) {own}`"));
-        return Ok(RouteItemSyntax::Unread { name: Some(own) });
+        diagnostics.error(axis.span(), format!("write `{word}({axis}) {name_after}`"));
+        return Ok(RouteItemSyntax::Unread { name: Some(name_after) });
     }
     let arguments_text = inside(input);
     let at = input.next_span();

@@ -66,8 +66,8 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
 /// Scales a known axis to a largest component of ±1, so that squares neither overflow nor
 /// underflow.
 fn scaled(axis: &[Value; 3]) -> [Value; 3] {
-    let known = axis.iter().map(|component| component.known().map(f64::abs));
-    match known.reduce(|a, b| Some(a?.max(b?))).flatten() {
+    let components = axis.iter().map(|component| component.known().map(f64::abs));
+    match components.reduce(|a, b| Some(a?.max(b?))).flatten() {
         Some(largest) if largest > 0.0 => {
             axis.clone().map(|component| component.over(Value::number(largest)))
         }

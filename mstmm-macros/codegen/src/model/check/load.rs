@@ -37,8 +37,8 @@ pub(super) fn spring_values_are_not_negative(draft: &Draft) -> Vec<Requirement> 
             (spring.length.as_ref().and_then(Option::as_ref), LENGTH),
         ]
     });
-    let not_negative = |(given, rule): (Option<&Spanned<Value>>, ValueRule)| {
-        let Spanned { value, at } = given?.clone();
+    let not_negative = |(value, rule): (Option<&Spanned<Value>>, ValueRule)| {
+        let Spanned { value, at } = value?.clone();
         Some(vec![rule.condition(value, at)])
     };
     numbers.filter_map(not_negative).collect()

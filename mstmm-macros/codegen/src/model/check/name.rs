@@ -131,9 +131,9 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
     // If the name is made from the type, the type is reported.
     names.retain(|name| !name.made || types.clone().all(|of_type| of_type.unraw() != *name.ident));
     let points = draft.types.iter().flat_map(|body| &body.points).map(|point| point.name);
-    let all = names.iter().map(|name| name.ident).chain(types).chain(points);
-    let all = all.chain([&draft.def.name]);
-    for name in all {
+    let idents = names.iter().map(|name| name.ident).chain(types).chain(points);
+    let idents = idents.chain([&draft.def.name]);
+    for name in idents {
         let text = name.to_string();
         let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);
         if text.starts_with("r#") || keyword {

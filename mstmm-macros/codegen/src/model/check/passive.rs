@@ -63,9 +63,9 @@ impl<'d> Once<'d> {
 pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut once = Once::default();
     for PassiveGroup { fields, names, .. } in all_groups(draft) {
-        for (given, needed) in NEEDED {
+        for (present, needed) in NEEDED {
             let needed = needed(names);
-            if let Some(field) = fields.get(given(names))
+            if let Some(field) = fields.get(present(names))
                 && fields.lacks(needed)
                 && once.is_new(field, 0)
             {

@@ -69,7 +69,8 @@ fn parameter<'p, 'a>(
 
 /// Returns the expression to edit: the default of a parameter, or the angle itself.
 fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'e ExprSyntax {
-    let default = parameter(without_sign(expr), parameters).and_then(|known| known.default_expr);
+    let default =
+        parameter(without_sign(expr), parameters).and_then(|parameter| parameter.default_expr);
     default.unwrap_or(expr)
 }
 
@@ -88,9 +89,9 @@ fn uses_pi(expr: &ExprSyntax, parameters: &[KnownParameter]) -> bool {
         ExprKind::Number(_) | ExprKind::Path(_) => false,
         ExprKind::Name(name) if name == "PI" => true,
         // No default uses another parameter.
-        ExprKind::Name(_) => {
-            parameter(expr, parameters).and_then(|known| known.default_expr).is_some_and(any)
-        }
+        ExprKind::Name(_) => parameter(expr, parameters)
+            .and_then(|parameter| parameter.default_expr)
+            .is_some_and(any),
         ExprKind::Negated(inner) | ExprKind::Power(inner, _) | ExprKind::Quantity(inner, _) => {
             any(inner)
         }

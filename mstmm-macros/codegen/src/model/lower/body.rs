@@ -77,19 +77,22 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
                                                  block for each",
         );
     }
-    let mut given = Fields::default();
+    let mut fields = Fields::default();
     let owner = format!("body `{name}`{}", context.of_chain());
-    let listed = [known(context.space), &[POINT]].concat();
+    let listed = [field_names(context.space), &[POINT]].concat();
     for field in &block.fields {
-        given.add(field, &listed, &owner, context);
+        fields.add(field, &listed, &owner, context);
     }
-    let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| given.get(f));
+    let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| fields.get(f));
     let body_type = BodyType {
         name,
-        mass: mass.and_then(|f| context.field(f, |all, it| all.read_number(it, MASS))),
-        com: com.and_then(|f| context.field(f, |all, it| all.read_vector(it, LENGTH))),
-        inertia: inertia.and_then(|f| context.field(f, |all, it| all.read_inertia(it))),
-        output: output.and_then(|f| context.field(f, |all, it| all.read_frame(it))),
+        mass: mass
+            .and_then(|f| context.field(f, |context, syntax| context.read_number(syntax, MASS))),
+        com: com
+            .and_then(|f| context.field(f, |context, syntax| context.read_vector(syntax, LENGTH))),
+        inertia: inertia
+            .and_then(|f| context.field(f, |context, syntax| context.read_inertia(syntax))),
+        output: output.and_then(|f| context.field(f, |context, syntax| context.read_frame(syntax))),
         points: block.points.iter().map(|point| self::point(point, context)).collect(),
         block,
         space: context.space,
@@ -98,11 +101,11 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
 }
 
 fn point<'a>(point: &'a FieldSyntax, context: &mut Context) -> PointDraft<'a> {
-    let position = context.field(point, |all, it| all.read_vector(it, LENGTH));
-    PointDraft { name: &point.name, position: position.map(|given| given.value) }
+    let position = context.field(point, |context, syntax| context.read_vector(syntax, LENGTH));
+    PointDraft { name: &point.name, position: position.map(|position| position.value) }
 }
 
-fn known(space: Dimension) -> &'static [&'static str] {
+fn field_names(space: Dimension) -> &'static [&'static str] {
     match space {
         Dimension::Line => LINE_FIELDS,
         Dimension::Space | Dimension::Plane => FIELDS,
@@ -135,7 +138,7 @@ impl BodyType<'_> {
     /// Returns whether a field of this name is written that does not exist.
     pub fn has_unknown_field(&self, name: &Ident) -> bool {
         self.block.fields.iter().any(|field| field.name == *name)
-            && !known(self.space).iter().any(|known| name == known)
+            && !field_names(self.space).iter().any(|known| name == known)
     }
 
     /// The fields that it lacks; it needs an output where something follows on the route.
@@ -147,9 +150,10 @@ impl BodyType<'_> {
             (*field == "output" && !output_is_used)
                 || (*field == "com" && self.space == Dimension::Line)
         };
-        let known = known(self.space);
-        let required: Vec<_> = known.iter().copied().filter(|field| !may_miss(field)).collect();
-        fields::missing(&self.block.fields, &required, known)
+        let field_names = field_names(self.space);
+        let required: Vec<_> =
+            field_names.iter().copied().filter(|field| !may_miss(field)).collect();
+        fields::missing(&self.block.fields, &required, field_names)
     }
 
     /// Returns whether the inertia is written as `tensor(…)`, whose entries other programs have in

@@ -133,8 +133,8 @@ impl<'a> Context<'a> {
     /// Returns the value of a Rust path; equal paths are the same constant.
     pub fn constant(&mut self, path: TokenStream) -> Value {
         let text = path.to_string();
-        let known = self.constants.iter().position(|other| other.to_string() == text);
-        let index = known.unwrap_or_else(|| {
+        let index = self.constants.iter().position(|other| other.to_string() == text);
+        let index = index.unwrap_or_else(|| {
             self.constants.push(path);
             self.constants.len() - 1
         });

@@ -14,16 +14,16 @@ pub(crate) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Adds a field, or reports it if it is not `known` or given twice. `owner` is the described
+    /// Adds a field, or reports it if it is not `allowed` or given twice. `owner` is the described
     /// part, for messages.
     pub(in crate::model::lower) fn add(
         &mut self,
         field: &'a FieldSyntax,
-        known: &[&str],
+        allowed: &[&str],
         owner: &str,
         context: &mut Context,
     ) -> Option<()> {
-        let message = self.fault(field, known, owner);
+        let message = self.fault(field, allowed, owner);
         let Some(message) = message else {
             self.fields.push(field);
             return Some(());
@@ -35,15 +35,15 @@ impl<'a> Fields<'a> {
     }
 
     /// Returns the error in a field, if there is one.
-    fn fault(&self, field: &FieldSyntax, known: &[&str], owner: &str) -> Option<String> {
+    fn fault(&self, field: &FieldSyntax, allowed: &[&str], owner: &str) -> Option<String> {
         let name = field.name.to_string();
-        if !known.contains(&name.as_str()) {
-            let hint = match meant(&name, known) {
+        if !allowed.contains(&name.as_str()) {
+            let hint = match meant(&name, allowed) {
                 Some(meant) => format!("; did you mean `{meant}`?"),
-                None if known.is_empty() => String::new(),
+                None if allowed.is_empty() => String::new(),
                 None => {
-                    let known: Vec<_> = known.iter().map(|name| format!("`{name}`")).collect();
-                    format!("; it has {}", listed(&known))
+                    let allowed: Vec<_> = allowed.iter().map(|name| format!("`{name}`")).collect();
+                    format!("; it has {}", listed(&allowed))
                 }
             };
             return Some(format!("{owner} has no field `{name}`{hint}"));
@@ -117,13 +117,13 @@ const COUNTERPARTS: &[(&str, &str)] = &[
 ];
 
 /// The known field that an unknown one means.
-pub(crate) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
-    let find = |meant: &str| known.iter().copied().find(|known| *known == meant);
+pub(crate) fn meant<'k>(name: &str, allowed: &[&'k str]) -> Option<&'k str> {
+    let find = |meant: &str| allowed.iter().copied().find(|name| *name == meant);
     let counterparts = COUNTERPARTS.iter().filter(|(other, _)| *other == name);
     let counterpart = counterparts.into_iter().find_map(|(_, meant)| find(meant));
     counterpart
         .or_else(|| find(name.strip_prefix("turning_")?))
-        .or_else(|| nearest(name, known.iter().copied()))
+        .or_else(|| nearest(name, allowed.iter().copied()))
 }
 
 /// Returns those of `required` that are missing. A field with a similar name counts as given: it is
@@ -132,16 +132,16 @@ pub(crate) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
 pub(super) fn missing<'r>(
     fields: &[FieldSyntax],
     required: &[&'r str],
-    known: &[&str],
+    allowed: &[&str],
 ) -> Vec<&'r str> {
-    let is_known = |field: &FieldSyntax| known.iter().any(|known| field.name == known);
+    let is_known = |field: &FieldSyntax| allowed.iter().any(|name| field.name == name);
     if fields.iter().any(|field| field.value.is_none() && !is_known(field)) {
         return Vec::new();
     }
     let unknown: Vec<(&FieldSyntax, Option<&str>)> = fields
         .iter()
         .filter(|field| !is_known(field))
-        .map(|field| (field, meant(&field.name.to_string(), known)))
+        .map(|field| (field, meant(&field.name.to_string(), allowed)))
         .collect();
     let is_meant = |name: &str| {
         fields.iter().any(|field| field.name == name)

@@ -110,12 +110,12 @@ impl Context<'_> {
                            input`";
             return self.refuse(inertia, message);
         };
-        let known = POINTS.iter().find(|(word, _)| point == word).map(|&(_, about)| about);
-        if known.is_none() {
+        let about = POINTS.iter().find(|(word, _)| point == word).map(|&(_, about)| about);
+        if about.is_none() {
             let hint = did_you_mean(&point.to_string(), POINTS.iter().map(|(word, _)| *word));
             let message = format!("expected `input` or `com`, found `{point}`{hint}");
             self.diagnostics.error(point.span(), message);
         }
-        known
+        about
     }
 }

@@ -239,8 +239,8 @@ impl LoadTarget<'_, '_> {
             return Some(None);
         }
         let names = body_type.points.iter().map(|point| point.name.to_string());
-        let known = POINTS.iter().map(|known| (*known).to_owned());
-        let hint = context.hint(word, names.chain(known));
+        let every_body_has = POINTS.iter().map(|name| (*name).to_owned());
+        let hint = context.hint(word, names.chain(every_body_has));
         let message = format!("body `{}` has no point `{word}`{hint}", body_type.name);
         let points = body_type.points.iter().map(|point| point.name);
         context.diagnostics.unknown(word, message, points);
@@ -269,13 +269,13 @@ fn load<'a>(
 
 fn axes(context: &mut Context, syntax: &ValueSyntax) -> Option<LoadAxes> {
     let word = syntax.word().map_or_else(String::new, ToString::to_string);
-    let known = AXES.iter().find(|(name, _)| *name == word).map(|&(_, axes)| axes);
-    if known.is_none() {
+    let axes = AXES.iter().find(|(name, _)| *name == word).map(|&(_, axes)| axes);
+    if axes.is_none() {
         let hint = did_you_mean(&word, AXES.iter().map(|(name, _)| *name));
         let message = format!("expected `inertial` or `body`, found {}{hint}", syntax.described());
         context.diagnostics.error_over(syntax.extent(), message);
     }
-    known
+    axes
 }
 
 fn spring<'a>(
@@ -371,7 +371,7 @@ impl SpringDraft<'_> {
     /// Returns the spring; `None` if a part is missing, which is reported then.
     pub(super) fn finish(self) -> Option<crate::model::Spring> {
         let number =
-            |given: Option<Spanned<Value>>| given.map_or(Value::number(0.0), |given| given.value);
+            |field: Option<Spanned<Value>>| field.map_or(Value::number(0.0), |field| field.value);
         Some(crate::model::Spring {
             name: self.name.clone(),
             path: self.name.to_string(),

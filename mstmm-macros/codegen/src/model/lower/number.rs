@@ -165,8 +165,8 @@ impl Context<'_> {
         if !self.complete {
             return None;
         }
-        let known = self.parameters.iter().map(|other| other.name.to_string());
-        let hint = match self.hint(name, known.chain(["PI".to_owned()])) {
+        let names = self.parameters.iter().map(|other| other.name.to_string());
+        let hint = match self.hint(name, names.chain(["PI".to_owned()])) {
             none if none.is_empty() => format!(
                 "; for a parameter write `param {text} = …`; a Rust constant begins with a capital \
                  letter"
@@ -281,9 +281,10 @@ impl Context<'_> {
             return self.refuse(expr.extent, message);
         }
         let one = Value::number(1.0);
-        let value = (0..power.abs()).fold(one.clone(), |all, _| all.times(base.value.clone()));
+        let value =
+            (0..power.abs()).fold(one.clone(), |product, _| product.times(base.value.clone()));
         let measure = (0..power.abs())
-            .fold(Measure::Plain, |all, _| times(all, base.measure, power.signum()));
+            .fold(Measure::Plain, |product, _| times(product, base.measure, power.signum()));
         let value = if power < 0 { one.over(value) } else { value };
         Some(Measured::new(value, measure, expr))
     }

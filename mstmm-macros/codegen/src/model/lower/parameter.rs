@@ -25,15 +25,15 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
             Measure::Of(dimension) => dimension.unit(),
             _ => String::new(),
         };
-        let known = KnownParameter { name, measure, default: default.known(), default_expr };
-        context.parameters.push(known);
+        let parameter = KnownParameter { name, measure, default: default.known(), default_expr };
+        context.parameters.push(parameter);
         parameters.push(Parameter { name: name.clone(), default, unit, repetitions: *repetitions });
     }
     parameters
 }
 
 fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measure)> {
-    let given = context.field(field, |context, syntax| match syntax {
+    let read = context.field(field, |context, syntax| match syntax {
         ValueSyntax::Number(expr) => {
             let measured = context.measure(expr)?;
             let value = context.finite(measured.value, expr.extent)?;
@@ -49,5 +49,5 @@ fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measu
             context.refuse(other.extent(), message)
         }
     })?;
-    Some(given.value)
+    Some(read.value)
 }

@@ -89,7 +89,7 @@ fn assign<'a>(
     for name in &block.names {
         let found = indices.get(&name.to_string()).copied();
         let Some(index) = target(block, name, found, def, items, context) else { continue };
-        let (known, owner) = match &items[index] {
+        let (allowed, owner) = match &items[index] {
             RouteItem::Hinge { kind, spec, .. } => (hinge::fields(spec), kind.name.to_owned()),
             RouteItem::Body { .. } => {
                 let implied = of_everything(context.space).spec();
@@ -104,7 +104,7 @@ fn assign<'a>(
         for (at, field) in block.fields.iter().enumerate() {
             if refused.contains(&at) {
                 fields.refuse();
-            } else if fields.add(field, &known, &owner, context).is_none() {
+            } else if fields.add(field, &allowed, &owner, context).is_none() {
                 refused.push(at);
             }
         }

@@ -24,7 +24,7 @@ impl Context<'_> {
     /// Returns the scale and the dimension of a unit.
     pub fn unit(&mut self, unit: &UnitSyntax) -> Option<(Scale, PhysicalDimension)> {
         let unknown = match (unit::resolve(unit), unit.parentheses) {
-            (Ok(known), None) => return Some(known),
+            (Ok(resolved), None) => return Some(resolved),
             (Ok(_), Some(parentheses)) => {
                 let message = format!("write the unit without parentheses: `{}`", unit.text());
                 return self.refuse(parentheses, message);

@@ -8,8 +8,10 @@ use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, References};
 pub(super) fn references(def: &ChainSyntax, items: &[RouteItem]) -> References {
     let is_element = |name: &&proc_macro2::Ident| {
         items.iter().any(|item| match item {
-            RouteItem::Hinge { name: own, .. } => own.is_some_and(|own| own == *name),
-            RouteItem::Body { name: own, .. } => own == *name,
+            RouteItem::Hinge { name: item_name, .. } => {
+                item_name.is_some_and(|item_name| item_name == *name)
+            }
+            RouteItem::Body { name: item_name, .. } => item_name == *name,
             _ => false,
         })
     };

@@ -33,7 +33,7 @@ pub(crate) struct Settings {
 
 /// All settings.
 pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
-    let mut given = Fields::default();
+    let mut fields = Fields::default();
     let owner = format!("chain `{}`", def.name);
     for field in &def.settings {
         let name = field.name.to_string();
@@ -47,49 +47,49 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
             context.complete = false;
             continue;
         }
-        given.add(field, SETTINGS, &owner, context);
+        fields.add(field, SETTINGS, &owner, context);
     }
     let gravity = context
-        .source(given.get("gravity"), |context, syntax| context.read_vector(syntax, ACCELERATION));
-    let method = given.get("method").and_then(|field| context.field(field, method));
-    let results = given.get("results").and_then(|field| context.field(field, results));
-    let answers = given.get("answers").and_then(|field| context.field(field, answers));
+        .source(fields.get("gravity"), |context, syntax| context.read_vector(syntax, ACCELERATION));
+    let method = fields.get("method").and_then(|field| context.field(field, method));
+    let results = fields.get("results").and_then(|field| context.field(field, results));
+    let answers = fields.get("answers").and_then(|field| context.field(field, answers));
     Settings {
         gravity,
-        method: method.map(|given| given.value),
-        results: results.map_or(Results::ALL, |given| given.value),
-        answers: answers.map_or_else(Vec::new, |given| given.value),
+        method: method.map(|setting| setting.value),
+        results: results.map_or(Results::ALL, |setting| setting.value),
+        answers: answers.map_or_else(Vec::new, |setting| setting.value),
     }
 }
 
 fn method(context: &mut Context, syntax: &ValueSyntax) -> Option<SolutionMethod> {
     let word = syntax.word().map_or_else(String::new, ToString::to_string);
-    let known = METHODS.iter().find(|(name, _)| *name == word).map(|&(_, method)| method);
-    if known.is_none() {
+    let method = METHODS.iter().find(|(name, _)| *name == word).map(|&(_, method)| method);
+    if method.is_none() {
         let hint = did_you_mean(&word, METHODS.iter().map(|(name, _)| *name));
         let found = syntax.described();
         let message = format!("expected `riccati` or `transfer`, found {found}{hint}");
         context.diagnostics.error_over(syntax.extent(), message);
     }
-    known
+    method
 }
 
 fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
-    let chosen = chosen(context, syntax, &Choices { known: RESULTS, example: "[z, poses]" })?;
+    let chosen = chosen(context, syntax, &Choices { keywords: RESULTS, example: "[z, poses]" })?;
     let mut results = Results::NONE;
     chosen.into_iter().for_each(|result| *result(&mut results) = true);
     Some(results)
 }
 
 fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Answer>> {
-    let known: Vec<(&str, Answer)> =
+    let keywords: Vec<(&str, Answer)> =
         Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
-    chosen(context, syntax, &Choices { known: &known, example: "[bias_efforts]" })
+    chosen(context, syntax, &Choices { keywords: &keywords, example: "[bias_efforts]" })
 }
 
 /// Keywords that may be chosen.
 struct Choices<'a, T> {
-    known: &'a [(&'a str, T)],
+    keywords: &'a [(&'a str, T)],
     /// An example of several keywords.
     example: &'a str,
 }
@@ -115,7 +115,7 @@ fn chosen<T: Copy>(
     for entry in entries {
         right &= words.choose(context, entry, &mut chosen).is_some();
     }
-    right.then(|| chosen.into_iter().map(|number| words.known[number].1).collect())
+    right.then(|| chosen.into_iter().map(|number| words.keywords[number].1).collect())
 }
 
 impl<T> Choices<'_, T> {
@@ -129,8 +129,8 @@ impl<T> Choices<'_, T> {
             return context.refuse(entry.extent, self.missing("a number"));
         };
         let name = word.to_string();
-        let Some(number) = self.known.iter().position(|(known, _)| *known == name) else {
-            let hint = did_you_mean(&name, self.known.iter().map(|(known, _)| *known));
+        let Some(number) = self.keywords.iter().position(|(keywords, _)| *keywords == name) else {
+            let hint = did_you_mean(&name, self.keywords.iter().map(|(keywords, _)| *keywords));
             return context.refuse(word, self.missing(format!("`{word}`{hint}")));
         };
         if chosen.contains(&number) {
@@ -141,12 +141,13 @@ impl<T> Choices<'_, T> {
     }
 
     fn missing(&self, found: impl Display) -> String {
-        let known: Vec<String> = self.known.iter().map(|(word, _)| format!("`{word}`")).collect();
-        match &known[..] {
+        let keywords: Vec<String> =
+            self.keywords.iter().map(|(word, _)| format!("`{word}`")).collect();
+        match &keywords[..] {
             [only] => format!("expected {only}, found {found}"),
             _ => {
-                let (known, example) = (known.join(", "), self.example);
-                format!("expected {known} or several of them as in `{example}`, found {found}")
+                let (keywords, example) = (keywords.join(", "), self.example);
+                format!("expected {keywords} or several of them as in `{example}`, found {found}")
             }
         }
     }

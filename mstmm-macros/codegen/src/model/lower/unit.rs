@@ -182,15 +182,15 @@ fn product(symbol: &str) -> Option<String> {
 fn meant(symbol: &str) -> Option<String> {
     let word = symbol.to_lowercase();
     let singular = word.strip_suffix('s').unwrap_or(&word);
-    if let Some((_, known)) = NAMES.iter().find(|(name, _)| *name == word || *name == singular) {
-        return Some((*known).to_owned());
+    if let Some((_, symbol)) = NAMES.iter().find(|(name, _)| *name == word || *name == singular) {
+        return Some((*symbol).to_owned());
     }
     let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
         SYMBOLS.iter().filter(|unit| unit.takes_prefix).map(move |unit| [*prefix, unit.symbol])
     });
     let plain = SYMBOLS.iter().map(|unit| unit.symbol.to_owned());
-    let known: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
-    let near = nearest(symbol, known.iter().map(String::as_str))?;
+    let symbols: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
+    let near = nearest(symbol, symbols.iter().map(String::as_str))?;
     (symbol.len() > 2 || near.to_lowercase() == word).then(|| near.to_owned())
 }
 

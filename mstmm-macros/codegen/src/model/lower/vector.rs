@@ -144,8 +144,8 @@ impl Context<'_> {
         let parts: Vec<_> = list.entries.iter().map(|entry| self.measure(entry)).collect();
         let unit = list.unit.as_ref().map(|unit| (unit, self.unit(unit)));
         let mut parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
-        if let Some((unit, known)) = unit {
-            let (scale, dimension) = known?;
+        if let Some((unit, resolved)) = unit {
+            let (scale, dimension) = resolved?;
             let bare =
                 parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), Option::and);
             bare?;

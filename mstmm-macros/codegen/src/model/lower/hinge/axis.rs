@@ -38,8 +38,8 @@ pub(super) fn axis(syntax: &ValueSyntax, context: &mut Context) -> Option<[Value
     if let ValueSyntax::Vector(_) = syntax {
         return context.read_vector(syntax, NUMBER);
     }
-    let known = word(syntax).filter(|(_, index)| context.space.translations().contains(index));
-    let Some((sign, index)) = known else {
+    let axis = word(syntax).filter(|(_, index)| context.space.translations().contains(index));
+    let Some((sign, index)) = axis else {
         let expected = match context.space {
             Dimension::Space => "`x`, `y`, `z`, `-x`, `-y`, `-z` or `[a, b, c]`",
             Dimension::Plane => "`x`, `y`, `-x`, `-y` or `[a, b]`",

@@ -126,8 +126,8 @@ impl PassiveReader<'_, '_, '_> {
         let stiffness =
             self.number(|names| names.limit_stiffness, |measures| measures.stiffness, 1.0);
         let damping = self.number(|names| names.limit_damping, |measures| measures.damping, 0.0);
-        let given = self.gives(&[names.limits, names.limit_stiffness, names.limit_damping]);
-        given.then_some(Limits { low, high, stiffness, damping })
+        let is_limited = self.gives(&[names.limits, names.limit_stiffness, names.limit_damping]);
+        is_limited.then_some(Limits { low, high, stiffness, damping })
     }
 }
 
