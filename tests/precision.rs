@@ -81,6 +81,7 @@ fn reference(kind: impl Fn(usize) -> HingeKind) -> Chain {
         output: Frame::at([1.0, 0.0, 0.0]),
         inertia: [1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0, 0.0, 0.0, 0.0],
         about: About::Input,
+        points: Vec::new(),
     };
     let hinge = |n| Hinge::new(&format!("h{n}"), kind(n));
     let elements =

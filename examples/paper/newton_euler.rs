@@ -57,6 +57,7 @@ pub fn three_cubes(hinges: [HingeKind; 3]) -> Chain {
             output: Frame::at([1.0, 0.0, 0.0]),
             inertia: [1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0, 0.0, 0.0, 0.0],
             about: About::Input,
+            points: Vec::new(),
         })
     };
     let hinges = ["shoulder", "elbow", "wrist"].into_iter().zip(hinges).map(hinge);

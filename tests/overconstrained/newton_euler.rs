@@ -28,6 +28,7 @@ fn chain(linkage: &Linkage) -> Chain {
             output: frame(&link.output),
             inertia: link.inertia,
             about: About::Com,
+            points: Vec::new(),
         }));
     }
     elements.push(pin("last".to_owned(), linkage.last));

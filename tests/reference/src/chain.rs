@@ -2,12 +2,13 @@
 
 use crate::hinge::Hinge;
 use crate::load::{Load, Spring};
+use crate::route::{NamedPoint, Place, Route};
 
-/// A chain of rigid bodies and hinges.
+/// A chain of rigid bodies and hinges: one route, or a tree or several trees of routes.
 ///
-/// The elements alternate between hinges and bodies. An end that is [`End::Free`] is a body, any
-/// other end is a hinge. A chain with both ends attached is closed: its last hinge has coordinates
-/// and rates, too, which have to agree with those of the other hinges.
+/// The elements of a route alternate between hinges and bodies. An end that is [`End::Free`] is a
+/// body, any other end is a hinge. A chain with both ends of its first route attached is closed: its
+/// last hinge has coordinates and rates, too, which have to agree with those of the other hinges.
 ///
 /// In a plane chain all vectors have a z component of zero, all rotations are about z, and only the
 /// entry zz of an inertia is used. In a line chain all vectors are along x, nothing rotates, and
@@ -20,15 +21,17 @@ pub struct Chain {
     pub dimension: Dimension,
     /// The acceleration of free fall.
     pub gravity: Gravity,
-    /// What the input of the first element is attached to.
+    /// What the input of the first element of the first route is attached to.
     pub start: End,
-    /// What the output of the last element is attached to.
+    /// What the output of the last element of the first route is attached to.
     pub finish: End,
-    /// The hinges and bodies in written order.
+    /// The hinges and bodies of the first route in written order.
     pub elements: Vec<Element>,
+    /// The other routes in written order.
+    pub later_routes: Vec<Route>,
     /// The external loads on bodies.
     pub loads: Vec<Load>,
-    /// The springs between bodies and the ground.
+    /// The springs between bodies, or between bodies and the ground.
     pub springs: Vec<Spring>,
 }
 
@@ -59,12 +62,14 @@ pub enum End {
     Free,
     /// The end is a hinge to this frame, which is fixed in the inertial frame.
     Held(Frame),
-    /// The end is a hinge to a frame with a prescribed motion, [`crate::Drives::start`] or
-    /// [`crate::Drives::finish`].
+    /// The end is a hinge to a frame with a prescribed motion, [`crate::Drives::start`],
+    /// [`crate::Drives::finish`] or one of [`crate::Drives::route_starts`].
     Moving {
         /// The snake_case name of the frame.
         name: String,
     },
+    /// The end is a hinge to a body of an earlier route.
+    Place(Place),
 }
 
 /// A position and an orientation.
@@ -103,6 +108,8 @@ pub struct Body {
     pub inertia: [f64; 6],
     /// The point the inertia is given about.
     pub about: About,
+    /// The named points at which hinges may join the body.
+    pub points: Vec<NamedPoint>,
 }
 
 /// The point an inertia tensor is given about.
@@ -116,7 +123,8 @@ pub enum About {
 
 /// The coordinates and rates of a chain.
 ///
-/// The pose of the first body comes first if the chain floats (both ends are free): the position of
+/// The pose of the first body comes first if the chain floats (both ends of its first route are
+/// free): the position of
 /// its input point (m, inertial axes), then the quaternion (w, x, y, z) from body to inertial
 /// components. Its rates are the velocity of the input point (m/s, inertial axes), then the angular
 /// velocity (rad/s, body axes). In the plane these are x, y and the angle, and their derivatives;
@@ -142,6 +150,7 @@ impl Chain {
             start: End::Held(Frame::IDENTITY),
             finish: End::Free,
             elements,
+            later_routes: Vec::new(),
             loads: Vec::new(),
             springs: Vec::new(),
         }
@@ -173,19 +182,19 @@ impl Chain {
         if self.floats() { self.dimension.directions().len() } else { 0 }
     }
 
-    /// Returns whether both ends are free.
+    /// Returns whether both ends are free, so that the first body floats.
     pub fn floats(&self) -> bool {
-        self.start == End::Free && self.finish == End::Free
+        self.start == End::Free && *self.attached_finish() == End::Free
     }
 
     /// Returns whether neither end is free.
     pub fn closed(&self) -> bool {
-        self.start != End::Free && self.finish != End::Free
+        self.start != End::Free && *self.attached_finish() != End::Free
     }
 
     /// Returns the bodies in written order.
     pub fn bodies(&self) -> impl Iterator<Item = &Body> {
-        self.elements.iter().filter_map(|element| match element {
+        self.all_elements().filter_map(|element| match element {
             Element::Body(body) => Some(body),
             Element::Hinge(_) => None,
         })
@@ -193,7 +202,7 @@ impl Chain {
 
     /// Returns the hinges in written order.
     pub fn hinges(&self) -> impl Iterator<Item = &Hinge> {
-        self.elements.iter().filter_map(|element| match element {
+        self.all_elements().filter_map(|element| match element {
             Element::Hinge(hinge) => Some(hinge),
             Element::Body(_) => None,
         })

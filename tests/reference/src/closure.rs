@@ -2,7 +2,7 @@
 
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
-use crate::mechanism::{FrameState, Mechanism, Side};
+use crate::mechanism::{FrameState, Mechanism};
 use crate::moved::moved_coordinates;
 use crate::relative::{Twist, to_inertial, twist};
 use crate::rotation::{self, Vec3};
@@ -71,7 +71,7 @@ impl Chain {
 
 impl Closure {
     fn new(mechanism: &Mechanism, state: &State) -> Closure {
-        let finish = mechanism.frame_motion(&Side::Finish, &[]);
+        let finish = finish_of(mechanism);
         let (end, turned) = reached(mechanism, state);
         let mut columns: Vec<Twist> = Vec::new();
         for (origin, directions) in turned {
@@ -103,27 +103,56 @@ impl Closure {
     }
 }
 
+/// Returns the frame that a closed chain has to meet.
+pub(crate) fn finish_of(mechanism: &Mechanism) -> FrameState {
+    let closing = mechanism.closing().expect("a closed chain");
+    mechanism.frame_motion(&closing.outboard, &[])
+}
+
 /// Returns the end of a closed chain, computed from its start over all hinges.
 pub(crate) fn end_of_chain(mechanism: &Mechanism, state: &State) -> FrameState {
     reached(mechanism, state).0
 }
 
 /// Returns the end of the chain, computed from its start, and for every hinge that is not prescribed
-/// the outboard origin and the twists of its rates, in inertial axes.
+/// the outboard origin and the twists of its rates, in inertial axes. Hinges of branches do not move
+/// the end: their twists are zero.
 fn reached(mechanism: &Mechanism, state: &State) -> (FrameState, Vec<(Vec3, Matrix6xX<f64>)>) {
     let motions = mechanism.motions(state);
+    let on_loop = loop_joints(mechanism);
     let mut end = FrameState::at_rest(Vec3::zeros(), rotation::from_vector(&Vec3::zeros()));
     let mut moving = Vec::new();
-    for joint in &mechanism.joints {
+    for (joint, on_loop) in mechanism.joints.iter().zip(on_loop) {
         let inboard = mechanism.frame_motion(&joint.inboard, &motions);
-        end = joint.outboard_motion(state, &inboard);
+        if on_loop {
+            end = joint.outboard_motion(state, &inboard);
+        }
         if joint.prescribed.is_none() {
             let relative = joint.kind().relative(joint.q(state), joint.v(state));
-            let directions = to_inertial(&inboard.rotation) * relative.directions;
+            let mut directions = to_inertial(&inboard.rotation) * relative.directions;
+            if !on_loop {
+                directions.fill(0.0);
+            }
             moving.push((end.position, directions));
         }
     }
     (end, moving)
+}
+
+/// Returns for every hinge whether it is on the way from the start of a closed chain to its finish.
+fn loop_joints(mechanism: &Mechanism) -> Vec<bool> {
+    let mut on_loop = vec![false; mechanism.joints.len()];
+    let closing = mechanism.closing().expect("a closed chain");
+    let mut side = closing.outboard;
+    // Written order goes outboard, so the hinges of the loop are met in reverse order.
+    for (number, joint) in mechanism.joints.iter().enumerate().rev() {
+        let same_body = side.body().is_some() && joint.outboard.body() == side.body();
+        if joint.outboard == side || same_body {
+            on_loop[number] = true;
+            side = joint.inboard;
+        }
+    }
+    on_loop
 }
 
 /// Returns the coordinates of a closed chain after a small step along its rates.

@@ -12,8 +12,10 @@ pub struct Drives {
     pub efforts: Vec<f64>,
     /// The motion of every prescribed hinge, in written order.
     pub motions: Vec<HingeMotion>,
-    /// The motion of the frame that the start of the chain is attached to.
+    /// The motion of the frame that the start of the first route is attached to.
     pub start: FrameMotion,
+    /// The motion of the frame that the start of each later route is attached to.
+    pub route_starts: Vec<FrameMotion>,
     /// The motion of the frame that the finish of the chain is attached to.
     pub finish: FrameMotion,
     /// The values of the inputs of every load, in the order of [`Chain::loads`].
@@ -75,6 +77,7 @@ impl Drives {
                 })
                 .collect(),
             start: FrameMotion::AT_REST,
+            route_starts: vec![FrameMotion::AT_REST; chain.later_routes.len()],
             finish: FrameMotion::AT_REST,
             loads: vec![LoadInput::default(); chain.loads.len()],
             gravity: [0.0; 3],
@@ -99,8 +102,7 @@ impl Chain {
     /// motion, a load or gravity.
     pub fn needs_drives(&self) -> bool {
         let moving = |end: &End| matches!(end, End::Moving { .. });
-        moving(&self.start)
-            || moving(&self.finish)
+        self.routes().any(|(start, _, finish)| moving(start) || moving(finish))
             || self.gravity == Gravity::Input
             || self.hinges().any(|hinge| hinge.prescribed)
             || self.loads.iter().any(|l| l.force == Source::Input || l.torque == Source::Input)
@@ -111,6 +113,8 @@ impl Chain {
         assert_eq!(state.v.len(), self.dof_count(), "chain {}: rates", self.name);
         assert_eq!(drives.efforts.len(), self.dof_count(), "chain {}: efforts", self.name);
         assert_eq!(drives.loads.len(), self.loads.len(), "chain {}: loads", self.name);
+        let later = self.later_routes.len();
+        assert_eq!(drives.route_starts.len(), later, "chain {}: routes", self.name);
         let prescribed: Vec<_> = self.hinges().filter(|hinge| hinge.prescribed).collect();
         assert_eq!(drives.motions.len(), prescribed.len(), "chain {}: motions", self.name);
         for (hinge, motion) in prescribed.iter().zip(&drives.motions) {

@@ -84,7 +84,7 @@ impl<'a> Equations<'a> {
         let saddle = Saddle::new(
             &inertia.select_rows(&columns).select_columns(&columns),
             &constraints.select_rows(&rows).select_columns(&columns),
-            mechanism.chain.closed(),
+            mechanism.has_loops(),
         );
         Equations { mechanism, motions, contacts, saddle, columns, rows }
     }
@@ -146,9 +146,10 @@ impl<'a> Equations<'a> {
             loads.fixed_rows_mut::<3>(6 * body + 3).copy_from(&gyroscopic);
         }
         for load in &self.mechanism.external_loads {
-            let [force, moment] = load.wrench(self.motions);
-            let mut on_body = loads.fixed_rows_mut::<6>(6 * load.body);
-            on_body += twist(force, moment);
+            for (body, force, moment) in load.wrenches(self.motions) {
+                let mut on_body = loads.fixed_rows_mut::<6>(6 * body);
+                on_body += twist(force, moment);
+            }
         }
         for contact in self.contacts.iter().filter(|contact| contact.unknowns() > 0) {
             let motor = DVector::from_column_slice(&contact.joint.motor);

@@ -1,32 +1,55 @@
-//! External loads and springs to the ground, with the bodies they act on.
+//! External loads and springs, with the points they act at.
 
 use crate::chain::{Body, Chain};
 use crate::drives::{Drives, LoadInput};
 use crate::hinge::Source;
-use crate::load::{Axes, BodyPoint, Load, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring, SpringEnd};
 use crate::mechanism::Motion;
 use crate::rotation::Vec3;
 
-/// An external load on a body.
+/// An external load on a body, or a spring.
 pub(crate) struct ExternalLoad {
-    /// The body it acts on.
-    pub(crate) body: usize,
-    /// The vector from the centre of mass to the point of action, body axes.
-    point: Vec3,
+    at: Anchor,
     kind: Kind,
 }
 
 enum Kind {
     Load { force: Vec3, torque: Vec3, axes: Axes },
-    Spring { to: Vec3, stiffness: f64, damping: f64, length: f64 },
+    Spring(SpringLaw),
+}
+
+/// A point that a load or a spring acts at.
+enum Anchor {
+    /// A point of the ground, inertial.
+    Ground(Vec3),
+    /// A point of a body: its index, and the vector from the centre of mass in body axes.
+    Body(usize, Vec3),
+}
+
+/// A spring with a damper.
+struct SpringLaw {
+    to: Anchor,
+    stiffness: f64,
+    damping: f64,
+    length: f64,
+}
+
+/// A spring at one instant.
+pub(crate) struct Stretched {
+    pub(crate) length: f64,
+    pub(crate) rate: f64,
+    pub(crate) tension: f64,
+    /// The force on the body of the spring, in inertial axes.
+    pub(crate) force: Vec3,
+    energy: f64,
 }
 
 impl ExternalLoad {
-    /// Returns all external loads on a chain.
+    /// Returns all loads on a chain, then all its springs.
     ///
     /// # Panics
     ///
-    /// Panics if the body of a load does not exist.
+    /// Panics if the body of a load or a spring does not exist.
     pub(crate) fn all(chain: &Chain, drives: &Drives) -> Vec<ExternalLoad> {
         let loads = chain.loads.iter().zip(&drives.loads);
         let loads = loads.map(|(load, input)| ExternalLoad::load(chain, load, input));
@@ -43,72 +66,95 @@ impl ExternalLoad {
         let force = vector(&load.force, input.force);
         let torque = vector(&load.torque, input.torque);
         let kind = Kind::Load { force, torque, axes: load.axes };
-        ExternalLoad::new(chain, &load.body, &load.at, kind)
+        ExternalLoad { at: Anchor::on_body(chain, &load.body, &load.at), kind }
     }
 
     fn spring(chain: &Chain, spring: &Spring) -> ExternalLoad {
-        let Spring { to, stiffness, damping, length, .. } = *spring;
-        let kind = Kind::Spring { to: Vec3::from(to), stiffness, damping, length };
-        ExternalLoad::new(chain, &spring.body, &spring.at, kind)
-    }
-
-    fn new(chain: &Chain, name: &str, at: &BodyPoint, kind: Kind) -> ExternalLoad {
-        let found = chain.bodies().enumerate().find(|(_, body)| body.name == name);
-        let (body, description) =
-            found.unwrap_or_else(|| panic!("chain {}: there is no body {name}", chain.name));
-        let point = Vec3::from(at.position(description)) - Vec3::from(description.com);
-        ExternalLoad { body, point, kind }
-    }
-
-    /// Returns the force, and the moment about the centre of mass of the body, in inertial axes.
-    pub(crate) fn wrench(&self, motions: &[Motion]) -> [Vec3; 2] {
-        let motion = &motions[self.body];
-        let arm = motion.rotation * self.point;
-        let (force, couple) = match &self.kind {
-            Kind::Load { force, torque, axes: Axes::Inertial } => (*force, *torque),
-            Kind::Load { force, torque, axes: Axes::Body } => {
-                (motion.rotation * force, motion.rotation * torque)
-            }
-            Kind::Spring { to, stiffness, damping, length } => {
-                let from_ground = motion.position + arm - to;
-                let velocity = motion.velocity + motion.spin.cross(&arm);
-                let force = spring_force(&from_ground, &velocity, [*stiffness, *damping, *length]);
-                (force, Vec3::zeros())
-            }
+        let to = match &spring.to {
+            SpringEnd::Ground(position) => Anchor::Ground(Vec3::from(*position)),
+            SpringEnd::Body { body, at } => Anchor::on_body(chain, body, at),
         };
-        [force, couple + arm.cross(&force)]
+        let Spring { stiffness, damping, length, .. } = *spring;
+        let kind = Kind::Spring(SpringLaw { to, stiffness, damping, length });
+        ExternalLoad { at: Anchor::on_body(chain, &spring.body, &spring.at), kind }
     }
 
-    /// Returns the length of a spring in m.
-    pub(crate) fn length(&self, motions: &[Motion]) -> Option<f64> {
-        let motion = &motions[self.body];
+    /// Returns the bodies it acts on, each with the force and the moment about the centre of mass of
+    /// the body, in inertial axes.
+    pub(crate) fn wrenches(&self, motions: &[Motion]) -> Vec<(usize, Vec3, Vec3)> {
+        let own = |force: Vec3, couple: Vec3| self.at.wrench(motions, force, couple);
+        let Kind::Load { force, torque, axes } = &self.kind else {
+            let Kind::Spring(law) = &self.kind else { return Vec::new() };
+            let force = law.stretched(&self.at, motions).force;
+            let opposite = law.to.wrench(motions, -force, Vec3::zeros());
+            return own(force, Vec3::zeros()).into_iter().chain(opposite).collect();
+        };
+        let acting = match (axes, &self.at) {
+            (Axes::Body, Anchor::Body(body, _)) => {
+                let rotation = motions[*body].rotation;
+                own(rotation * force, rotation * torque)
+            }
+            _ => own(*force, *torque),
+        };
+        acting.into_iter().collect()
+    }
+
+    /// Returns the state of a spring, or nothing for a load.
+    pub(crate) fn stretched(&self, motions: &[Motion]) -> Option<Stretched> {
         match &self.kind {
             Kind::Load { .. } => None,
-            Kind::Spring { to, .. } => {
-                Some((motion.position + motion.rotation * self.point - to).norm())
-            }
+            Kind::Spring(law) => Some(law.stretched(&self.at, motions)),
         }
     }
 
     /// Returns the potential energy in J.
     pub(crate) fn energy(&self, motions: &[Motion]) -> f64 {
-        match (&self.kind, self.length(motions)) {
-            (Kind::Spring { stiffness, length, .. }, Some(now)) => {
-                0.5 * stiffness * (now - length).powi(2)
-            }
-            _ => 0.0,
-        }
+        self.stretched(motions).map_or(0.0, |spring| spring.energy)
     }
 }
 
-/// Returns the force at the free end of a spring that is held at the origin.
-fn spring_force(end: &Vec3, velocity: &Vec3, [stiffness, damping, length]: [f64; 3]) -> Vec3 {
-    let now = end.norm();
-    if now == 0.0 {
-        return Vec3::zeros();
+impl Anchor {
+    fn on_body(chain: &Chain, name: &str, at: &BodyPoint) -> Anchor {
+        let found = chain.bodies().enumerate().find(|(_, body)| body.name == name);
+        let (body, description) =
+            found.unwrap_or_else(|| panic!("chain {}: there is no body {name}", chain.name));
+        let point = Vec3::from(at.position(description)) - Vec3::from(description.com);
+        Anchor::Body(body, point)
     }
-    let direction = end / now;
-    -direction * (stiffness * (now - length) + damping * direction.dot(velocity))
+
+    /// Returns the position and the velocity of the point.
+    fn motion(&self, motions: &[Motion]) -> (Vec3, Vec3) {
+        match self {
+            Anchor::Ground(position) => (*position, Vec3::zeros()),
+            Anchor::Body(body, point) => {
+                let motion = &motions[*body];
+                let arm = motion.rotation * point;
+                (motion.position + arm, motion.velocity + motion.spin.cross(&arm))
+            }
+        }
+    }
+
+    /// Returns the body, the force, and the moment about its centre of mass; nothing for the ground.
+    fn wrench(&self, motions: &[Motion], force: Vec3, couple: Vec3) -> Option<(usize, Vec3, Vec3)> {
+        let Anchor::Body(body, point) = self else { return None };
+        let arm = motions[*body].rotation * point;
+        Some((*body, force, couple + arm.cross(&force)))
+    }
+}
+
+impl SpringLaw {
+    /// Returns the spring between the point `at` and its other end. A spring of length zero has no
+    /// direction: it has neither a force nor a rate.
+    fn stretched(&self, at: &Anchor, motions: &[Motion]) -> Stretched {
+        let (from, to) = (at.motion(motions), self.to.motion(motions));
+        let (between, velocity) = (from.0 - to.0, from.1 - to.1);
+        let length = between.norm();
+        let direction = if length == 0.0 { Vec3::zeros() } else { between / length };
+        let rate = direction.dot(&velocity);
+        let tension = self.stiffness * (length - self.length) + self.damping * rate;
+        let energy = 0.5 * self.stiffness * (length - self.length).powi(2);
+        Stretched { length, rate, tension, force: -direction * tension, energy }
+    }
 }
 
 impl BodyPoint {

@@ -6,9 +6,10 @@
 //! a weld.
 
 use crate::chain::{Chain, Element, End, Frame, State};
-use crate::drives::{Drives, HingeMotion};
+use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::hinge::{Hinge, HingeKind};
 use crate::passive::Passive;
+use crate::route::Route;
 use nalgebra::DVector;
 
 impl Chain {
@@ -32,7 +33,7 @@ impl Chain {
     ///
     /// A closed chain is the tree that remains without its closing hinge, the last hinge that is not a
     /// weld. The closing hinge transmits nothing; the efforts of its rates are those of its rotors,
-    /// springs, dampers, friction and limits. Bodies that welds join to the finish are ignored. With
+    /// springs, dampers, friction and limits. Bodies that welds join to the finish stay there. With
     /// the reactions `λ` of the loop constraint `J v̇ = d` the equations are
     ///
     /// ```text
@@ -97,8 +98,8 @@ struct Opened {
     drives: Drives,
     /// Whether the rates of each hinge are free in the original chain.
     free: Vec<bool>,
-    /// The efforts of the hinge that has been removed.
-    removed: Vec<f64>,
+    /// The number of the hinge that has been removed, and its efforts, if its rates are free.
+    removed: Option<(usize, Vec<f64>)>,
 }
 
 impl Opened {
@@ -108,7 +109,7 @@ impl Opened {
             chain: chain.clone(),
             drives: drives.clone(),
             free: Vec::new(),
-            removed: Vec::new(),
+            removed: None,
         };
         let mut motions = Vec::new();
         if chain.floats() {
@@ -126,7 +127,7 @@ impl Opened {
         }
         opened.drives.motions = motions;
         opened.drives.efforts = Vec::new();
-        for element in &mut opened.chain.elements {
+        for element in opened.chain.all_elements_mut() {
             if let Element::Hinge(hinge) = element {
                 hinge.prescribed = true;
             }
@@ -134,46 +135,59 @@ impl Opened {
         opened
     }
 
-    /// Removes the closing hinge and everything that is then attached only to the finish.
+    /// Removes the closing hinge: the last hinge of the closed route that is not a weld. The bodies
+    /// that welds join to the finish become a route without a start.
     fn remove_closing_hinge(&mut self) {
         let moves = |element: &Element| matches!(element, Element::Hinge(hinge) if hinge.kind != HingeKind::Weld);
-        let place = self.chain.elements.iter().rposition(moves).unwrap_or(0);
-        let removed = self.chain.elements.split_off(place);
-        self.chain.finish = End::Free;
-        let number = self.chain.hinges().count();
-        if let (Some(Element::Hinge(hinge)), true) = (removed.first(), self.free[number]) {
-            let HingeMotion { q, v, a } = &self.drives.motions[number];
-            let passive = Passive::new(hinge, q, v);
-            let efforts = passive.inertia * DVector::from_column_slice(a) + passive.inertia_bias
-                - passive.efforts;
-            self.removed = efforts.as_slice().to_vec();
+        let chain = &mut self.chain;
+        let closed = chain.later_routes.iter().position(|route| route.finish != End::Free);
+        let before = |count: usize, chain: &Chain| -> usize {
+            let routes = chain.routes().take(count);
+            routes.map(|(_, elements, _)| elements.iter().filter(is_hinge).count()).sum()
+        };
+        let number = before(closed.map_or(0, |route| route + 1), chain);
+        let (elements, finish) = match closed {
+            None => (&mut chain.elements, &mut chain.finish),
+            Some(route) => {
+                let route = &mut chain.later_routes[route];
+                (&mut route.elements, &mut route.finish)
+            }
+        };
+        let mut welded = elements.split_off(elements.iter().rposition(moves).unwrap_or(0));
+        let number = number + elements.iter().filter(is_hinge).count();
+        let finish = std::mem::replace(finish, End::Free);
+        let closing = welded.remove(0);
+        if !welded.is_empty() {
+            let next = closed.map_or(0, |route| route + 1);
+            let route = Route { start: End::Free, elements: welded, finish };
+            chain.later_routes.insert(next, route);
+            self.drives.route_starts.insert(next, FrameMotion::AT_REST);
         }
-        self.free.truncate(number);
-        self.drives.motions.truncate(number);
-        let stays = |name: &str| self.chain.bodies().any(|body| body.name == name);
-        let loads = self.chain.loads.iter().zip(&self.drives.loads);
-        let (loads, given) = loads
-            .filter(|(load, _)| stays(&load.body))
-            .map(|(load, given)| (load.clone(), *given))
-            .unzip();
-        let springs =
-            self.chain.springs.iter().filter(|spring| stays(&spring.body)).cloned().collect();
-        (self.chain.loads, self.drives.loads, self.chain.springs) = (loads, given, springs);
+        let HingeMotion { q, v, a } = self.drives.motions.remove(number);
+        if let (Element::Hinge(hinge), true) = (&closing, self.free.remove(number)) {
+            let passive = Passive::new(hinge, &q, &v);
+            let efforts = passive.inertia * DVector::from_column_slice(&a) + passive.inertia_bias
+                - passive.efforts;
+            self.removed = Some((number, efforts.as_slice().to_vec()));
+        }
     }
 
     /// Returns the efforts of the drives of the rates that are free in the original chain.
-    fn efforts(mut self) -> Vec<f64> {
-        if self.chain.elements.is_empty() {
-            return self.removed;
-        }
+    fn efforts(self) -> Vec<f64> {
         let none = State { q: Vec::new(), v: Vec::new() };
         let solution = self.chain.solve_driven(&none, &self.drives);
         let all = solution.efforts.into_iter().zip(self.free);
-        let mut efforts: Vec<f64> =
-            all.filter(|(_, free)| *free).flat_map(|(efforts, _)| efforts).collect();
-        efforts.append(&mut self.removed);
-        efforts
+        let mut efforts: Vec<Vec<f64>> =
+            all.map(|(efforts, free)| if free { efforts } else { Vec::new() }).collect();
+        if let Some((number, removed)) = self.removed {
+            efforts.insert(number, removed);
+        }
+        efforts.concat()
     }
+}
+
+fn is_hinge(element: &&Element) -> bool {
+    matches!(element, Element::Hinge(_))
 }
 
 /// The entries of a state and of its accelerations that are not assigned to a hinge yet.

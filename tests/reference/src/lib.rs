@@ -18,8 +18,10 @@
 //!
 //! All quantities are in SI units and angles in radians, except where a name says `degrees`.
 
+mod assembly;
 mod chain;
 mod closure;
+mod double_double;
 mod drives;
 mod equations;
 mod external_load;
@@ -38,6 +40,7 @@ mod random_state;
 mod recipe;
 mod relative;
 mod rotation;
+mod route;
 mod saddle;
 mod simulate;
 mod solve;
@@ -48,10 +51,11 @@ mod text_hinge;
 pub use chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity, State};
 pub use drives::{Drives, FrameMotion, HingeMotion, LoadInput};
 pub use hinge::{Axis, Group, Hinge, HingeKind, Limits, Source};
-pub use load::{Axes, BodyPoint, Load, Spring};
+pub use load::{Axes, BodyPoint, Load, Spring, SpringEnd};
 pub use random::Random;
 pub use random_chain::{random_chain, random_mechanism};
 pub use random_state::{random_efforts, random_motion, random_state};
 pub use recipe::{Ends, HingeChoice, Recipe};
+pub use route::{NamedPoint, Place, Route};
 pub use simulate::{BodySample, Sample, simulate, simulate_driven};
-pub use solve::{Point, Solution};
+pub use solve::{HingeLoad, Point, Solution, SpringState};

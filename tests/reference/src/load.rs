@@ -1,4 +1,4 @@
-//! External loads, and springs between a body and the ground.
+//! External loads, and springs between two bodies or between a body and the ground.
 
 use crate::hinge::Source;
 
@@ -19,7 +19,7 @@ pub struct Load {
     pub axes: Axes,
 }
 
-/// A spring with a damper from a point of a body to a point of the ground.
+/// A spring with a damper from a point of a body to a point of the ground or of another body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// The snake_case name of the spring.
@@ -28,14 +28,28 @@ pub struct Spring {
     pub body: String,
     /// The point of the body.
     pub at: BodyPoint,
-    /// The point of the ground in m, inertial.
-    pub to: [f64; 3],
+    /// The other end.
+    pub to: SpringEnd,
     /// The stiffness in N/m.
     pub stiffness: f64,
     /// The damping constant in N·s/m, along the spring.
     pub damping: f64,
     /// The length without force in m.
     pub length: f64,
+}
+
+/// The end of a spring that is not on its own body.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpringEnd {
+    /// A point of the ground in m, inertial.
+    Ground([f64; 3]),
+    /// A point of a body.
+    Body {
+        /// The name of the body.
+        body: String,
+        /// The point of the body.
+        at: BodyPoint,
+    },
 }
 
 /// A point of a body.

@@ -1,12 +1,12 @@
 //! A chain prepared for computing: bodies about their centres of mass, and hinges with their two
 //! sides.
 
-use crate::chain::{About, Body, Chain, Element, End, Frame, Gravity, State};
+use crate::assembly::Assembly;
+use crate::chain::{About, Body, Chain, Frame, Gravity, State};
 use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::external_load::ExternalLoad;
-use crate::hinge::{Group, Hinge, HingeKind, Source};
+use crate::hinge::{Hinge, HingeKind};
 use crate::rotation::{self, Mat3, Vec3};
-use std::ops::Range;
 
 /// A chain as the solver sees it, at one instant.
 pub(crate) struct Mechanism<'a> {
@@ -15,18 +15,18 @@ pub(crate) struct Mechanism<'a> {
     pub(crate) bodies: Vec<Rigid>,
     pub(crate) joints: Vec<Joint<'a>>,
     pub(crate) external_loads: Vec<ExternalLoad>,
-    /// The frames that the start and the finish are attached to.
-    pub(crate) start: Option<FrameState>,
-    pub(crate) finish: Option<FrameState>,
+    /// The frames that starts and finishes of routes are attached to.
+    pub(crate) frames: Vec<FrameState>,
+    /// The connection points in written order.
+    pub(crate) points: Vec<Side>,
 }
 
 /// A body; all vectors start at its centre of mass and have components in body axes.
 pub(crate) struct Rigid {
     pub(crate) mass: f64,
     pub(crate) inertia: Mat3,
-    pub(crate) input: Vec3,
-    pub(crate) output: Vec3,
-    pub(crate) output_turn: Mat3,
+    /// The position and the rotation of the input, the output and every named point.
+    pub(crate) places: Vec<(Vec3, Mat3)>,
 }
 
 /// The motion of a body's centre of mass and of its frame, in inertial axes.
@@ -45,19 +45,42 @@ pub(crate) struct Joint<'a> {
     pub(crate) outboard: Side,
     /// The prescribed motion; without one the hinge has entries in the state.
     pub(crate) prescribed: Option<&'a HingeMotion>,
-    first_coordinate: usize,
+    pub(crate) first_coordinate: usize,
     pub(crate) first_rate: usize,
     /// The motor's efforts, one for every rate.
     pub(crate) motor: Vec<f64>,
 }
 
-/// A frame on a body, or the one an end of the chain is attached to.
-#[derive(Clone, Copy, PartialEq)]
+/// A frame on a body, or one that an end of a route is attached to.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Side {
-    Start,
-    Finish,
-    Input(usize),
-    Output(usize),
+    /// One of [`Mechanism::frames`].
+    Frame(usize),
+    /// One of [`Rigid::places`] of a body.
+    On { body: usize, place: usize },
+}
+
+impl Side {
+    pub(crate) fn input(body: usize) -> Side {
+        Side::On { body, place: 0 }
+    }
+
+    pub(crate) fn output(body: usize) -> Side {
+        Side::On { body, place: 1 }
+    }
+
+    /// The named point with the given number.
+    pub(crate) fn named(body: usize, number: usize) -> Side {
+        Side::On { body, place: 2 + number }
+    }
+
+    /// The body that the frame is fixed to, if any.
+    pub(crate) fn body(self) -> Option<usize> {
+        match self {
+            Side::Frame(_) => None,
+            Side::On { body, .. } => Some(body),
+        }
+    }
 }
 
 /// The motion of a [`Side`] in inertial axes.
@@ -83,45 +106,44 @@ impl<'a> Mechanism<'a> {
     ///
     /// # Panics
     ///
-    /// Panics if hinges and bodies do not alternate as the ends of the chain require, or if the body
-    /// of a load or a spring does not exist.
+    /// Panics like [`Assembly::new`], and if the body of a load or a spring does not exist.
     pub(crate) fn new(chain: &'a Chain, drives: &'a Drives) -> Mechanism<'a> {
         let gravity = match chain.gravity {
             Gravity::Constant(acceleration) => acceleration,
             Gravity::Input => drives.gravity,
         };
+        let Assembly { joints, frames, points } = Assembly::new(chain, drives);
         Mechanism {
             chain,
             gravity: Vec3::from(gravity),
             bodies: chain.bodies().map(Rigid::new).collect(),
-            joints: joints_of(chain, drives),
+            joints,
             external_loads: ExternalLoad::all(chain, drives),
-            start: attached(&chain.start, &drives.start),
-            finish: attached(&chain.finish, &drives.finish),
+            frames,
+            points,
         }
     }
 
     /// Returns the motion of a frame for given motions of the bodies.
     pub(crate) fn frame_motion(&self, side: &Side, motions: &[Motion]) -> FrameState {
         match *side {
-            Side::Start => self.start.clone().expect("a start that is attached"),
-            Side::Finish => self.finish.clone().expect("a finish that is attached"),
-            Side::Input(body) => {
-                FrameState::on(body, &motions[body], &self.bodies[body].input, &Mat3::identity())
-            }
-            Side::Output(body) => {
-                let rigid = &self.bodies[body];
-                FrameState::on(body, &motions[body], &rigid.output, &rigid.output_turn)
+            Side::Frame(number) => self.frames[number].clone(),
+            Side::On { body, place } => {
+                let (position, turn) = &self.bodies[body].places[place];
+                FrameState::on(body, &motions[body], position, turn)
             }
         }
     }
 
-    /// Returns every connection point in written order.
-    pub(crate) fn connection_points(&self) -> Vec<Side> {
-        let on_bodies =
-            (0..self.bodies.len()).flat_map(|body| [Side::Input(body), Side::Output(body)]);
-        let start = self.start.iter().map(|_| Side::Start);
-        start.chain(on_bodies).chain(self.finish.iter().map(|_| Side::Finish)).collect()
+    /// Returns the hinge of a closed chain that joins its last body to the finish.
+    pub(crate) fn closing(&self) -> Option<&Joint<'a>> {
+        let closes = |joint: &&Joint| joint.outboard.body().is_none();
+        self.joints.iter().find(closes).filter(|_| self.chain.closed())
+    }
+
+    /// Returns whether there are more hinges than a tree needs.
+    pub(crate) fn has_loops(&self) -> bool {
+        self.joints.len() + usize::from(self.chain.floats()) > self.bodies.len()
     }
 
     /// Returns the kinetic energy of the bodies in J.
@@ -135,7 +157,7 @@ impl<'a> Mechanism<'a> {
     }
 
     /// Returns the potential energy in J of constant gravity (zero with every centre of mass at the
-    /// inertial origin) and of the springs to the ground.
+    /// inertial origin) and of the springs between bodies and to the ground.
     pub(crate) fn potential_energy(&self, motions: &[Motion]) -> f64 {
         let gravity = match self.chain.gravity {
             Gravity::Constant(_) => self.gravity,
@@ -170,76 +192,6 @@ impl Joint<'_> {
     }
 }
 
-/// Pairs every hinge with the frames that it joins.
-fn joints_of<'a>(chain: &'a Chain, drives: &'a Drives) -> Vec<Joint<'a>> {
-    let misplaced = |name: &str| -> ! {
-        panic!("chain {}: {name} is not where hinges and bodies alternate", chain.name)
-    };
-    let (mut coordinate, mut rate) = (chain.base_coordinates(), chain.base_dof_count());
-    let mut motions = drives.motions.iter();
-    let mut joints: Vec<Joint> = Vec::new();
-    let mut reached = (chain.start != End::Free).then_some(Side::Start);
-    let mut waiting: Option<&Hinge> = None;
-    let mut join = |hinge: &'a Hinge, inboard: Side, outboard: Side| {
-        joints.push(Joint {
-            hinge,
-            inboard,
-            outboard,
-            prescribed: if hinge.prescribed { motions.next() } else { None },
-            first_coordinate: coordinate,
-            first_rate: rate,
-            motor: motor_efforts(hinge, &drives.efforts[rate..]),
-        });
-        coordinate += hinge.coordinates();
-        rate += hinge.dof_count();
-    };
-    let mut bodies = 0;
-    for element in &chain.elements {
-        match (element, waiting.take(), reached) {
-            (Element::Hinge(hinge), None, Some(_)) => waiting = Some(hinge),
-            (Element::Body(_), Some(hinge), Some(inboard)) => {
-                join(hinge, inboard, Side::Input(bodies));
-                reached = Some(Side::Output(bodies));
-                bodies += 1;
-            }
-            (Element::Body(_), None, None) => {
-                reached = Some(Side::Output(bodies));
-                bodies += 1;
-            }
-            (Element::Hinge(hinge), ..) => misplaced(&hinge.name),
-            (Element::Body(body), ..) => misplaced(&body.name),
-        }
-    }
-    match (waiting, chain.finish != End::Free, reached) {
-        (Some(hinge), true, Some(inboard)) if bodies > 0 => join(hinge, inboard, Side::Finish),
-        (None, false, Some(_)) => {}
-        _ => misplaced("the finish"),
-    }
-    joints
-}
-
-/// Returns the efforts of a hinge's motors from the efforts of its rates and of all later rates.
-fn motor_efforts(hinge: &Hinge, given: &[f64]) -> Vec<f64> {
-    let of_group = |(group, rates): (&Group, Range<usize>)| match &group.motor {
-        Source::Constant(efforts) => efforts.clone(),
-        _ if hinge.prescribed => vec![0.0; rates.len()],
-        _ => given[rates].to_vec(),
-    };
-    hinge.groups().map(of_group).concat()
-}
-
-/// Returns the frame that an end is attached to, if any.
-fn attached(end: &End, motion: &FrameMotion) -> Option<FrameState> {
-    match end {
-        End::Free => None,
-        End::Held(Frame { position, rpy_degrees }) => {
-            let rotation = rotation::from_rpy_degrees(rpy_degrees);
-            Some(FrameState::at_rest(Vec3::from(*position), rotation))
-        }
-        End::Moving { .. } => Some(FrameState::moving(motion)),
-    }
-}
-
 impl Rigid {
     fn new(body: &Body) -> Rigid {
         let [xx, yy, zz, xy, xz, yz] = body.inertia;
@@ -251,13 +203,13 @@ impl Rigid {
             // Steiner: the inertia about the input point is larger by −m [c×]².
             About::Input => given + body.mass * offset * offset,
         };
-        Rigid {
-            mass: body.mass,
-            inertia,
-            input: -com,
-            output: Vec3::from(body.output.position) - com,
-            output_turn: rotation::from_rpy_degrees(&body.output.rpy_degrees),
-        }
+        let place = |frame: &Frame| {
+            let turn = rotation::from_rpy_degrees(&frame.rpy_degrees);
+            (Vec3::from(frame.position) - com, turn)
+        };
+        let points = body.points.iter().map(|point| &point.frame);
+        let places = [&Frame::IDENTITY, &body.output].into_iter().chain(points).map(place);
+        Rigid { mass: body.mass, inertia, places: places.collect() }
     }
 }
 
@@ -277,7 +229,7 @@ impl FrameState {
     }
 
     /// Returns a frame with a prescribed motion.
-    fn moving(motion: &FrameMotion) -> FrameState {
+    pub(crate) fn moving(motion: &FrameMotion) -> FrameState {
         let rotation = rotation::from_quaternion(&motion.orientation);
         FrameState {
             velocity: Vec3::from(motion.velocity),

@@ -60,7 +60,8 @@ impl Drives {
             motion.q = moved_coordinates(hinge, &motion.q, [&motion.v, &motion.a], t);
             motion.v.iter_mut().zip(&motion.a).for_each(|(v, a)| *v += t * a);
         }
-        for frame in [&mut moved.start, &mut moved.finish] {
+        let ends = [&mut moved.start, &mut moved.finish];
+        for frame in ends.into_iter().chain(&mut moved.route_starts) {
             let ahead = |v: &[f64; 3], a: &[f64; 3], t: f64| [0, 1, 2].map(|k| v[k] + t * a[k]);
             let mean = ahead(&frame.velocity, &frame.acceleration, 0.5 * t);
             frame.position = ahead(&frame.position, &mean, t);

@@ -1,6 +1,6 @@
 //! Conversion from hinge coordinates to the motions of the bodies, and back.
 
-use crate::chain::{End, State};
+use crate::chain::State;
 use crate::hinge::HingeKind;
 use crate::mechanism::{FrameState, Joint, Mechanism, Motion, Rigid, Side};
 use crate::relative::{Relative, Twist, twist};
@@ -8,45 +8,48 @@ use crate::rotation::{Mat3, Vec3};
 
 impl Mechanism<'_> {
     /// Returns the motions of all bodies for the coordinates and rates of the chain.
+    ///
+    /// # Panics
+    ///
+    /// Panics if no hinge joins a body to the others.
     pub(crate) fn motions(&self, state: &State) -> Vec<Motion> {
+        let mut motions = vec![Motion::none(); self.bodies.len()];
+        let mut known = vec![false; self.bodies.len()];
         if self.chain.floats() {
             let kind = HingeKind::of_base(self.chain.dimension);
             let (q, v) = (&state.q[..kind.coordinates()], &state.v[..kind.dof_count()]);
             let first = outboard(&kind.relative(q, v), v, &inertial());
-            self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
-        } else if self.chain.start == End::Free {
-            self.motions_backwards(state)
-        } else {
-            let start = self.frame_motion(&Side::Start, &[]);
-            let first = self.joints[0].outboard_motion(state, &start);
-            self.motions_onwards(state, self.bodies[0].motion_from_input(&first))
+            motions[0] = self.bodies[0].motion_from_place(0, &first);
+            known[0] = true;
         }
-    }
-
-    /// Returns the motions of the bodies one after the other, from the motion of the first.
-    fn motions_onwards(&self, state: &State, first: Motion) -> Vec<Motion> {
-        let mut motions = vec![first];
-        for joint in &self.joints {
-            if let (Side::Output(_), Side::Input(body)) = (joint.inboard, joint.outboard) {
-                let inboard = self.frame_motion(&joint.inboard, &motions);
-                let input = joint.outboard_motion(state, &inboard);
-                motions.push(self.bodies[body].motion_from_input(&input));
+        // Written order finds all bodies that hang on the start, and the reverse order those that
+        // hang on the finish.
+        let (onwards, backwards) = (0..self.joints.len(), (0..self.joints.len()).rev());
+        for number in onwards.clone().chain(backwards).chain(onwards) {
+            let joint = &self.joints[number];
+            let is_known = |side: Side| side.body().is_none_or(|body| known[body]);
+            let (from, to) = (joint.inboard, joint.outboard);
+            let found = match (is_known(from), is_known(to)) {
+                (true, false) => {
+                    let inboard = self.frame_motion(&from, &motions);
+                    (to, joint.outboard_motion(state, &inboard))
+                }
+                (false, true) => {
+                    let outboard = self.frame_motion(&to, &motions);
+                    (from, joint.inboard_motion(state, &outboard))
+                }
+                _ => continue,
+            };
+            if let (Side::On { body, place }, point) = found {
+                motions[body] = self.bodies[body].motion_from_place(place, &point);
+                known[body] = true;
             }
         }
-        motions
-    }
-
-    /// Returns the motions of the bodies from the last to the first, from the frame after the last
-    /// hinge.
-    fn motions_backwards(&self, state: &State) -> Vec<Motion> {
-        let mut motions: Vec<Motion> = Vec::new();
-        let mut outboard = self.frame_motion(&Side::Finish, &[]);
-        for (joint, rigid) in self.joints.iter().zip(&self.bodies).rev() {
-            let motion = rigid.motion_from_output(&joint.inboard_motion(state, &outboard));
-            outboard = rigid.input_motion(&motion);
-            motions.push(motion);
-        }
-        motions.reverse();
+        assert!(
+            known.iter().all(|known| *known),
+            "chain {}: a body is not joined",
+            self.chain.name
+        );
         motions
     }
 
@@ -67,7 +70,7 @@ impl Mechanism<'_> {
             };
         if self.chain.floats() {
             let kind = HingeKind::of_base(self.chain.dimension);
-            add(&kind, &inertial(), &self.frame_motion(&Side::Input(0), motions), &near.q);
+            add(&kind, &inertial(), &self.frame_motion(&Side::input(0), motions), &near.q);
         }
         for joint in self.joints.iter().filter(|joint| joint.prescribed.is_none()) {
             let inboard = self.frame_motion(&joint.inboard, motions);
@@ -136,26 +139,20 @@ impl Joint<'_> {
 }
 
 impl Rigid {
-    fn motion_from_input(&self, input: &FrameState) -> Motion {
-        Motion::from_point(input, &input.rotation, &self.input)
-    }
-
-    fn motion_from_output(&self, output: &FrameState) -> Motion {
-        let rotation = output.rotation * self.output_turn.transpose();
-        Motion::from_point(output, &rotation, &self.output)
-    }
-
-    fn input_motion(&self, motion: &Motion) -> FrameState {
-        let arm = motion.rotation * self.input;
-        FrameState {
-            velocity: motion.velocity + motion.spin.cross(&arm),
-            spin: motion.spin,
-            ..FrameState::at_rest(motion.position + arm, motion.rotation)
-        }
+    /// Returns the motion of the body, of which one place moves like `point`.
+    fn motion_from_place(&self, place: usize, point: &FrameState) -> Motion {
+        let (position, turn) = &self.places[place];
+        Motion::from_point(point, &(point.rotation * turn.transpose()), position)
     }
 }
 
 impl Motion {
+    /// A motion that is not known yet.
+    fn none() -> Motion {
+        let none = Vec3::zeros();
+        Motion { position: none, rotation: Mat3::identity(), velocity: none, spin: none }
+    }
+
     /// Returns the motion of a body with the orientation `rotation` whose point at `place`, counted
     /// from its centre of mass in body axes, moves like `point`.
     fn from_point(point: &FrameState, rotation: &Mat3, place: &Vec3) -> Motion {

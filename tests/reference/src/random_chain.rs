@@ -83,7 +83,7 @@ impl Chain {
     /// of freedom.
     pub fn in_space(&self) -> Chain {
         let mut chain = Chain { dimension: Dimension::Space, ..self.clone() };
-        for element in &mut chain.elements {
+        for element in chain.all_elements_mut() {
             let Element::Hinge(hinge) = element else { continue };
             match hinge.kind {
                 HingeKind::PlaneFloating => hinge.kind = HingeKind::Planar { normal: Axis::Z },
@@ -217,7 +217,7 @@ fn random_body(random: &mut Random, name: String, dimension: Dimension) -> Body 
     let output = Frame { position, rpy_degrees: random_turn(random, dimension) };
     let about = *random.choose(&[About::Input, About::Com]);
     let inertia = random_inertia(random, mass, com, about);
-    Body { name, mass, com, output, inertia, about }
+    Body { name, mass, com, output, inertia, about, points: Vec::new() }
 }
 
 /// Returns an offset in m: zero, along an axis, or oblique.

@@ -2,7 +2,7 @@
 
 use crate::chain::{Chain, Dimension, Element, Gravity};
 use crate::hinge::{Group, Hinge, HingeKind, Limits, Source};
-use crate::load::{Axes, BodyPoint, Load, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring, SpringEnd};
 use crate::random::{Random, round_to};
 use crate::random_chain::{flattened, random_offset};
 use crate::random_state::random_coordinates;
@@ -31,7 +31,8 @@ pub(crate) fn add_motors(random: &mut Random, hinge: &mut Hinge, recipe: &Recipe
 pub(crate) fn add_forces(random: &mut Random, chain: &mut Chain, recipe: &Recipe) {
     let dimension = chain.dimension;
     let mut points = 0;
-    for element in &mut chain.elements {
+    let later = chain.later_routes.iter_mut().flat_map(|route| &mut route.elements);
+    for element in chain.elements.iter_mut().chain(later) {
         match element {
             Element::Hinge(hinge) if hinge.kind.dof_count() > 0 => {
                 add_passive(random, hinge, recipe);
@@ -180,7 +181,10 @@ fn random_spring(
         name,
         body: body.to_owned(),
         at,
-        to: flattened([0.0; 3].map(|_: f64| random.rounded(-2.0, 2.0, 1)), dimension),
+        to: SpringEnd::Ground(flattened(
+            [0.0; 3].map(|_: f64| random.rounded(-2.0, 2.0, 1)),
+            dimension,
+        )),
         stiffness: random.rounded(1.0, 40.0, 1),
         damping: if random.chance(0.5) { random.rounded(0.1, 3.0, 2) } else { 0.0 },
         length: if random.chance(0.5) { random.rounded(0.1, 1.5, 2) } else { 0.0 },

@@ -1,10 +1,10 @@
 //! Random states of chains, and random drives.
 
 use crate::chain::{Chain, Dimension, End, Frame, Gravity, State};
-use crate::closure::end_of_chain;
+use crate::closure::{end_of_chain, finish_of};
 use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::hinge::{Hinge, HingeKind, Source};
-use crate::mechanism::{Mechanism, Side};
+use crate::mechanism::Mechanism;
 use crate::random::{Random, round_to};
 use crate::random_chain::flattened;
 use crate::rotation::{self, Mat3, Vec3};
@@ -154,8 +154,10 @@ fn random_drives(random: &mut Random, chain: &Chain) -> Drives {
             a: (0..dof_count).map(|_| random.between(-3.0, 3.0)).collect(),
         };
     }
-    let ends = [(&chain.start, &mut drives.start), (&chain.finish, &mut drives.finish)];
-    for (_, motion) in ends.into_iter().filter(|(end, _)| matches!(end, End::Moving { .. })) {
+    let ends = [(&chain.start, &mut drives.start), (chain.attached_finish(), &mut drives.finish)];
+    let later = chain.later_routes.iter().map(|route| &route.start).zip(&mut drives.route_starts);
+    let ends = ends.into_iter().chain(later);
+    for (_, motion) in ends.filter(|(end, _)| matches!(end, End::Moving { .. })) {
         *motion = random_frame_motion(random, dimension);
     }
     for (load, input) in chain.loads.iter().zip(&mut drives.loads) {
@@ -215,14 +217,14 @@ fn motion(random: &mut Random, chain: &Chain) -> Option<(State, Drives)> {
 /// Moves a moving end of a closed chain to where the chain closes with the given coordinates.
 fn meet(chain: &Chain, guess: &State, drives: &mut Drives) {
     let moving = |end: &End| matches!(end, End::Moving { .. });
-    if moving(&chain.finish) {
+    if moving(chain.attached_finish()) {
         let end = end_of_chain(&Mechanism::new(chain, drives), guess);
         put(&mut drives.finish, end.position, end.rotation);
     } else if moving(&chain.start) {
         put(&mut drives.start, Vec3::zeros(), Mat3::identity());
         let mechanism = Mechanism::new(chain, drives);
         let end = end_of_chain(&mechanism, guess);
-        let finish = mechanism.frame_motion(&Side::Finish, &[]);
+        let finish = finish_of(&mechanism);
         let rotation = finish.rotation * end.rotation.transpose();
         put(&mut drives.start, finish.position - rotation * end.position, rotation);
     }
@@ -244,9 +246,10 @@ fn accepted(chain: &Chain, drives: &Drives, guess: State) -> Option<State> {
     }
     let mechanism = Mechanism::new(chain, drives);
     let motions = mechanism.motions(&state);
-    let mut springs = mechanism.external_loads.iter().filter_map(|load| load.length(&motions));
+    let springs = mechanism.external_loads.iter().filter_map(|load| load.stretched(&motions));
+    let mut lengths = springs.map(|spring| spring.length);
     let hinges_fit = mechanism.joints.iter().all(|joint| fits(joint.hinge, joint.q(&state)));
-    (hinges_fit && springs.all(|length| length > SHORTEST_SPRING)).then_some(state)
+    (hinges_fit && lengths.all(|length| length > SHORTEST_SPRING)).then_some(state)
 }
 
 /// Returns whether the coordinates of a hinge are far from jumps of its efforts.

@@ -5,6 +5,7 @@
 //! C x        = demands
 //! ```
 
+use crate::double_double::DoubleDouble;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// Singular values of the constraints below this count as zero, relative to the largest.
@@ -12,9 +13,15 @@ const RANK_TOLERANCE: f64 = 1e-9;
 /// The largest relative inconsistency of demands on redundant constraints.
 const CONTRADICTION: f64 = 1e-6;
 
+/// The largest number of refinements.
+const REFINEMENTS: usize = 8;
+/// A refinement below this is the last one, relative to the solution.
+const REFINED: f64 = 1e-17;
+
 /// The factorised system matrix, for any right-hand sides.
 pub(crate) struct Saddle {
-    matrix: DMatrix<f64>,
+    /// The entries of the matrix that are not zero, column by column: the row and the entry.
+    columns: Vec<Vec<(usize, f64)>>,
     factors: LU<f64, Dyn, Dyn>,
     unknowns: usize,
     /// An orthonormal basis, in columns, of the range of the constraints, if they are redundant.
@@ -39,8 +46,13 @@ impl Saddle {
         matrix.view_mut((0, 0), (unknowns, unknowns)).copy_from(inertia);
         matrix.view_mut((0, unknowns), (unknowns, rows)).copy_from(&-independent.transpose());
         matrix.view_mut((unknowns, 0), (rows, unknowns)).copy_from(&independent);
-        let factors = matrix.clone().lu();
-        Saddle { matrix, factors, unknowns, basis }
+        let entries = |column: usize| {
+            let rows = matrix.column(column);
+            let entries = rows.iter().copied().enumerate().filter(|(_, entry)| *entry != 0.0);
+            entries.collect()
+        };
+        let columns = (0..matrix.ncols()).map(entries).collect();
+        Saddle { columns, factors: matrix.lu(), unknowns, basis }
     }
 
     /// Returns whether every multiplier is determined.
@@ -72,16 +84,38 @@ impl Saddle {
         let mut right = DVector::zeros(unknowns + rows);
         right.rows_mut(0, unknowns).copy_from(loads);
         right.rows_mut(unknowns, rows).copy_from(&independent);
-        let mut solution = self.back_substitute(&right);
-        // One step of iterative refinement recovers the digits that elimination without scaling loses.
-        let residual = &right - &self.matrix * &solution;
-        solution += self.back_substitute(&residual);
+        let solution = self.refined(&right);
         let multipliers = solution.rows(unknowns, rows).into_owned();
         let multipliers = match &self.basis {
             Some(basis) => basis * multipliers,
             None => multipliers,
         };
         (solution.rows(0, unknowns).into_owned(), multipliers)
+    }
+
+    /// Solves the system to full precision: the residuals of the refinements have twice the digits of
+    /// the matrix, so that elimination without scaling loses none.
+    fn refined(&self, right: &DVector<f64>) -> DVector<f64> {
+        let rounded = |all: &[DoubleDouble]| {
+            DVector::from_iterator(all.len(), all.iter().map(|number| number.rounded()))
+        };
+        let mut solution = vec![DoubleDouble::default(); right.len()];
+        for _ in 0..REFINEMENTS {
+            let mut residual: Vec<_> = right.iter().map(|it| DoubleDouble::new(*it)).collect();
+            for (column, number) in self.columns.iter().zip(&solution) {
+                for (row, entry) in column {
+                    residual[*row] = residual[*row].minus_product(*entry, *number);
+                }
+            }
+            let change = self.back_substitute(&rounded(&residual));
+            for (number, change) in solution.iter_mut().zip(change.iter()) {
+                *number = number.plus(*change);
+            }
+            if change.norm() <= REFINED * rounded(&solution).norm() {
+                break;
+            }
+        }
+        rounded(&solution)
     }
 
     fn back_substitute(&self, right: &DVector<f64>) -> DVector<f64> {

@@ -3,7 +3,8 @@
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
 use crate::equations::{Dynamics, Equations};
-use crate::mechanism::{FrameState, Mechanism, Motion, Side};
+use crate::external_load::{ExternalLoad, Stretched};
+use crate::mechanism::{FrameState, Joint, Mechanism, Motion, Side};
 use crate::relative::{Twist, twist};
 use crate::rotation::{self, Vec3};
 
@@ -18,9 +19,13 @@ pub struct Solution {
     /// The efforts of every hinge in written order, one for every rate of its kind: the efforts of
     /// its motor, or of its drive if its motion is prescribed.
     pub efforts: Vec<Vec<f64>>,
-    /// The connection points in written order: the input of the first element, then the output of
-    /// every element.
+    /// The connection points in written order: for every route the input of its first element, unless
+    /// an earlier route has this point, then the output of every element.
     pub points: Vec<Point>,
+    /// The load of every hinge at its inboard side, in written order.
+    pub hinge_loads: Vec<HingeLoad>,
+    /// The springs in written order.
+    pub springs: Vec<SpringState>,
     /// The kinetic energy in J, including rotors.
     pub kinetic_energy: f64,
     /// The potential energy in J: of constant gravity, −Σ m g·r, which is zero with every centre of
@@ -41,6 +46,10 @@ pub struct Solution {
 /// force and minus the moment; on the body whose output is this point act minus the force and the
 /// moment. A hinge transmits both, so its two points have the same force, and moments that differ by
 /// the moment of the force over the offset. The loads at a free end are zero.
+///
+/// At an output or a named point where several hinges begin, the loads are the sums over these
+/// hinges. At an input where hinges begin, too, the loads are those of the hinge that ends there:
+/// they are zero at the input of a floating body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The position in m.
@@ -59,6 +68,28 @@ pub struct Point {
     /// The internal moment about the point in N·m, motor torques included.
     pub moment: [f64; 3],
     /// The internal force in N.
+    pub force: [f64; 3],
+}
+
+/// The share of one hinge in the loads of the point where it begins, with the signs of an output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HingeLoad {
+    /// The internal moment about the point in N·m, inertial axes.
+    pub moment: [f64; 3],
+    /// The internal force in N, inertial axes.
+    pub force: [f64; 3],
+}
+
+/// A spring at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringState {
+    /// The length in m.
+    pub length: f64,
+    /// The derivative of the length in m/s.
+    pub length_rate: f64,
+    /// The force of spring and damper in N, positive if they pull.
+    pub tension: f64,
+    /// The force on the body of the spring in N, inertial axes.
     pub force: [f64; 3],
 }
 
@@ -86,16 +117,20 @@ impl Chain {
         let mechanism = Mechanism::new(self, drives);
         let motions = mechanism.motions(state);
         let equations = Equations::new(&mechanism, &motions, state);
-        let last = equations.contacts.last().filter(|_| self.closed());
-        let gap = last
-            .map_or(0.0, |last| last.pose_violation().amax().max(last.velocity_violation().amax()));
+        let gaps = equations.contacts.iter().filter(|_| mechanism.has_loops()).map(|contact| {
+            contact.pose_violation().amax().max(contact.velocity_violation().amax())
+        });
+        let gap = gaps.fold(0.0, f64::max);
         assert!(gap <= GAP, "chain {}: the state leaves a gap of {gap:e}", self.name);
         let dynamics = equations.dynamics();
         let point = |side: &Side| point_at(&mechanism, &motions, &dynamics, side);
+        let spring = |load: &ExternalLoad| load.stretched(&motions).map(SpringState::from);
         let passive = || equations.contacts.iter().map(|contact| &contact.passive);
         Solution {
             accelerations: chain_accelerations(&mechanism, &motions, &dynamics),
-            points: mechanism.connection_points().iter().map(point).collect(),
+            points: mechanism.points.iter().map(point).collect(),
+            hinge_loads: hinge_loads(&mechanism, &motions, &dynamics),
+            springs: mechanism.external_loads.iter().filter_map(spring).collect(),
             kinetic_energy: mechanism.kinetic_energy(&motions)
                 + passive().map(|passive| passive.kinetic_energy).sum::<f64>(),
             potential_energy: mechanism.potential_energy(&motions)
@@ -110,7 +145,7 @@ impl Chain {
 fn chain_accelerations(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<f64> {
     let mut accelerations: Vec<f64> = Vec::new();
     if mechanism.chain.floats() {
-        let input = mechanism.frame_motion(&Side::Input(0), motions);
+        let input = mechanism.frame_motion(&Side::input(0), motions);
         let (acceleration, angular) = accelerations_at(&input, dynamics);
         // In body axes: the inertial derivative of a vector and its derivative in the body frame
         // differ by the cross product with the angular velocity, which is zero for the angular
@@ -159,18 +194,48 @@ fn internal_loads(
     dynamics: &Dynamics,
     side: &Side,
 ) -> (Vec3, Vec3) {
-    let parts =
-        |wrench: &Twist| (wrench.fixed_rows::<3>(0).into(), wrench.fixed_rows::<3>(3).into());
+    let is_input = matches!(side, Side::On { place: 0, .. });
+    let mut total = (Vec3::zeros(), Vec3::zeros());
     for (joint, wrench) in mechanism.joints.iter().zip(&dynamics.wrenches) {
-        let (force, moment): (Vec3, Vec3) = parts(wrench);
+        let (force, moment) = parts(wrench);
         if joint.outboard == *side {
             return (force, -moment);
         }
-        if joint.inboard == *side {
-            let outboard = mechanism.frame_motion(&joint.outboard, motions).position;
-            let arm = outboard - mechanism.frame_motion(side, motions).position;
-            return (force, -(moment + arm.cross(&force)));
+        if joint.inboard == *side && !is_input {
+            let (force, moment) = inboard_load(mechanism, motions, joint, wrench);
+            total = (total.0 + force, total.1 + moment);
         }
     }
-    (Vec3::zeros(), Vec3::zeros())
+    total
+}
+
+fn parts(wrench: &Twist) -> (Vec3, Vec3) {
+    (wrench.fixed_rows::<3>(0).into(), wrench.fixed_rows::<3>(3).into())
+}
+
+/// Returns the force and the moment of a hinge at its inboard side, with the signs of [`Point`].
+fn inboard_load(
+    mechanism: &Mechanism,
+    motions: &[Motion],
+    joint: &Joint,
+    wrench: &Twist,
+) -> (Vec3, Vec3) {
+    let (force, moment) = parts(wrench);
+    let outboard = mechanism.frame_motion(&joint.outboard, motions).position;
+    let arm = outboard - mechanism.frame_motion(&joint.inboard, motions).position;
+    (force, -(moment + arm.cross(&force)))
+}
+
+fn hinge_loads(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<HingeLoad> {
+    let load = |(joint, wrench): (&Joint, &Twist)| {
+        let (force, moment) = inboard_load(mechanism, motions, joint, wrench);
+        HingeLoad { moment: moment.into(), force: force.into() }
+    };
+    mechanism.joints.iter().zip(&dynamics.wrenches).map(load).collect()
+}
+
+impl From<Stretched> for SpringState {
+    fn from(Stretched { length, rate, tension, force, .. }: Stretched) -> SpringState {
+        SpringState { length, length_rate: rate, tension, force: force.into() }
+    }
 }

@@ -2,7 +2,8 @@
 
 use crate::chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity};
 use crate::hinge::Source;
-use crate::load::{Axes, BodyPoint, Load, Spring};
+use crate::load::{Axes, BodyPoint, Load, Spring, SpringEnd};
+use crate::route::{NamedPoint, Place};
 use crate::text_hinge;
 
 impl Chain {
@@ -25,7 +26,7 @@ impl Chain {
             Gravity::Input => "    gravity = input;".to_owned(),
         });
         lines.extend(self.bodies().map(|body| self.body_type(body)));
-        lines.push(format!("    {};", self.written_elements()));
+        lines.extend(self.routes().map(|route| format!("    {};", self.written_route(route))));
         lines.extend(self.hinges().filter_map(text_hinge::section_of));
         lines.extend(self.loads.iter().map(|load| self.load_section(load)));
         lines.extend(self.springs.iter().map(|spring| self.spring_section(spring)));
@@ -33,11 +34,11 @@ impl Chain {
         lines.join("\n")
     }
 
-    /// Returns the elements from end to end, joined by arrows.
-    fn written_elements(&self) -> String {
-        let start = self.end(&self.start).into_iter();
-        let finish = self.end(&self.finish).into_iter();
-        let elements = self.elements.iter().map(|element| match element {
+    /// Returns the elements of a route from end to end, joined by arrows.
+    fn written_route(&self, (start, elements, finish): (&End, &[Element], &End)) -> String {
+        let start = self.end(start).into_iter();
+        let finish = self.end(finish).into_iter();
+        let elements = elements.iter().map(|element| match element {
             Element::Body(body) => format!("{} {}", camel_case(&body.name), body.name),
             Element::Hinge(hinge) => {
                 format!("{} {}", text_hinge::word(&hinge.kind, self.dimension), hinge.name)
@@ -53,6 +54,7 @@ impl Chain {
             End::Held(place) if *place == Frame::IDENTITY => Some("ground".to_owned()),
             End::Held(place) => Some(format!("ground at {}", self.frame(place))),
             End::Moving { name } => Some(format!("moving {name}")),
+            End::Place(Place { body, point }) => Some(format!("{body}.{point}")),
         }
     }
 
@@ -63,12 +65,20 @@ impl Chain {
             format!("output = {}", self.frame(&body.output)),
         ];
         fields.extend(self.inertia(body).map(|inertia| format!("inertia = {inertia}")));
+        let point =
+            |point: &NamedPoint| format!("point {} = {}", point.name, self.frame(&point.frame));
+        fields.extend(body.points.iter().map(point));
         let spots = self.loads.iter().map(|load| (&load.body, &load.at));
         let spots = spots.chain(self.springs.iter().map(|spring| (&spring.body, &spring.at)));
+        let spots = spots.chain(self.springs.iter().filter_map(|spring| match &spring.to {
+            SpringEnd::Ground(_) => None,
+            SpringEnd::Body { body, at } => Some((body, at)),
+        }));
         for (on, spot) in spots {
             if let BodyPoint::Named { name, position } = spot {
                 let point = format!("point {name} = {} m", self.vector(position));
-                if *on == body.name && !fields.contains(&point) {
+                let is_new = !fields.contains(&point) && body.place(name).is_none();
+                if *on == body.name && is_new {
                     fields.push(point);
                 }
             }
@@ -95,7 +105,7 @@ impl Chain {
     fn load_section(&self, load: &Load) -> String {
         let mut fields = vec![format!("on = {}", load.body)];
         if load.at != BodyPoint::Com {
-            fields.push(self.spot(&load.at));
+            fields.push(format!("at = {}", self.spot(&load.at)));
         }
         fields.extend(source("force", &load.force, |force| format!("{} N", self.vector(force))));
         fields.extend(source("torque", &load.torque, |torque| match self.dimension {
@@ -109,10 +119,14 @@ impl Chain {
     }
 
     fn spring_section(&self, spring: &Spring) -> String {
+        let to = match &spring.to {
+            SpringEnd::Ground(position) => format!("{} m", self.vector(position)),
+            SpringEnd::Body { body, at } => format!("{body}.{}", self.spot(at)),
+        };
         let mut fields = vec![
             format!("on = {}", spring.body),
-            self.spot(&spring.at),
-            format!("to = {} m", self.vector(&spring.to)),
+            format!("at = {}", self.spot(&spring.at)),
+            format!("to = {to}"),
         ];
         let numbers = [
             ("stiffness", spring.stiffness, "N/m"),
@@ -124,16 +138,15 @@ impl Chain {
         section("spring", &spring.name, &fields)
     }
 
-    /// Returns the field for a point of a body.
+    /// Returns the text of a point of a body.
     fn spot(&self, spot: &BodyPoint) -> String {
-        let spot = match spot {
+        match spot {
             BodyPoint::Com => "com".to_owned(),
             BodyPoint::Input => "input".to_owned(),
             BodyPoint::Output => "output".to_owned(),
             BodyPoint::At(position) => format!("{} m", self.vector(position)),
             BodyPoint::Named { name, .. } => name.clone(),
-        };
-        format!("at = {spot}")
+        }
     }
 
     fn frame(&self, frame: &Frame) -> String {

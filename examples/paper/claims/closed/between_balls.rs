@@ -107,6 +107,7 @@ fn newton_euler() -> Chain {
             output: Frame::at([1.0, 0.0, 0.0]),
             inertia: [0.02, 0.09, 0.1, 0.0, 0.0, 0.0],
             about: About::Com,
+            points: Vec::new(),
         })
     };
     let elements = vec![

@@ -60,6 +60,7 @@ impl Swing {
             output: Frame::at([1.0, 0.0, 0.0]),
             inertia: [ALONG, ACROSS, ACROSS, 0.0, 0.0, 0.0],
             about: About::Input,
+            points: Vec::new(),
         });
         let hinge = Element::Hinge(Hinge::new("joint", HingeKind::Ball));
         let chain = Chain::new("Top", [0.0, 0.0, -GRAVITY], vec![hinge, body]);

@@ -146,6 +146,7 @@ fn ends_are_as_described() {
                     let accelerations = [point.acceleration, point.angular_acceleration];
                     assert_eq!([rates, accelerations], [[[0.0; 3]; 2]; 2]);
                 }
+                End::Place(_) => unreachable!("a chain of one route"),
                 End::Moving { .. } => {
                     assert_eq!(point.position, motion.position);
                     assert_eq!(point.velocity, motion.velocity);

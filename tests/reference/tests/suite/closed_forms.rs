@@ -40,6 +40,7 @@ fn tumbling_body() {
         output: Frame::at([0.5, 0.5, 0.0]),
         inertia: [1.3, 1.1, 1.7, 0.1, -0.2, 0.05],
         about: About::Input,
+        points: Vec::new(),
     };
     let inertia = central_inertia(&body);
     let com = Vector3::from(body.com);
@@ -72,6 +73,7 @@ fn symmetric_top() {
         output: Frame::IDENTITY,
         inertia: [across, across, along, 0.0, 0.0, 0.0],
         about: About::Com,
+        points: Vec::new(),
     };
     let chain = floating([0.0; 3], body);
     let (spin, wobble) = (3.0, 0.7);

@@ -5,8 +5,8 @@ use crate::samples::{
 };
 use mstmm_reference::{
     About, Axes, Axis, Body, BodyPoint, Chain, Dimension, Drives, Element, End, Frame, Gravity,
-    Group, Hinge, HingeChoice, HingeKind, Limits, Load, Random, Recipe, Source, Spring, State,
-    random_chain, random_mechanism, random_motion, random_state,
+    Group, Hinge, HingeChoice, HingeKind, Limits, Load, Random, Recipe, Source, Spring, SpringEnd,
+    State, random_chain, random_mechanism, random_motion, random_state,
 };
 
 #[test]
@@ -18,6 +18,7 @@ fn text_of_a_held_chain() {
         output: Frame { position: [1.0, 0.0, 0.0], rpy_degrees },
         inertia,
         about,
+        points: Vec::new(),
     };
     let upper = body("upper_arm", [0.0, 0.0, 90.0], [0.1, 0.2, 0.25, 0.0, 0.0, 0.0], About::Com);
     let lower = body("b2", [0.0; 3], [0.5, 0.6, 0.7, 0.01, -0.02, 1e-7], About::Input);
@@ -158,6 +159,7 @@ fn text_of_a_chain_in_the_plane() {
         output: Frame { position: [1.0, 0.0, 0.0], rpy_degrees: [0.0, 0.0, 30.0] },
         inertia: [0.0, 0.0, 0.125, 0.0, 0.0, 0.0],
         about: About::Com,
+        points: Vec::new(),
     };
     let mut chain = Chain {
         dimension: Dimension::Plane,
@@ -186,7 +188,7 @@ fn text_of_a_chain_in_the_plane() {
         name: "s1".to_owned(),
         body: "bar".to_owned(),
         at: BodyPoint::Output,
-        to: [0.0, 3.0, 0.0],
+        to: SpringEnd::Ground([0.0, 3.0, 0.0]),
         stiffness: 10.0,
         damping: 0.0,
         length: 0.5,
@@ -219,6 +221,7 @@ fn text_of_a_chain_along_a_line() {
         output: Frame::at([1.0, 0.0, 0.0]),
         inertia: [0.0; 6],
         about: About::Com,
+        points: Vec::new(),
     };
     let mut coupling = Hinge::new("j1", HingeKind::LineElastic);
     coupling.rest = vec![0.25];

@@ -159,6 +159,7 @@ fn parallelogram() {
             output: Frame::at([length, 0.0, 0.0]),
             inertia: [0.01, 0.1, 0.1, 0.0, 0.0, 0.0],
             about: About::Com,
+            points: Vec::new(),
         })
     };
     let elements = vec![
@@ -209,6 +210,7 @@ fn two_masses_on_a_line() {
             output: Frame::at([1.0, 0.0, 0.0]),
             inertia: [0.0; 6],
             about: About::Com,
+            points: Vec::new(),
         })
     };
     let elements = vec![mass("b1", first), Element::Hinge(elastic), mass("b2", second)];

@@ -1,7 +1,7 @@
 //! Loads and springs on a body, implemented a second time for the tests.
 
 use crate::samples::{Case, matrix};
-use mstmm_reference::{Axes, Body, Point, Source};
+use mstmm_reference::{Axes, Body, Point, Source, SpringEnd};
 use nalgebra::Vector3;
 
 /// Returns the force of all loads and springs on a body and their moment about the inertial origin,
@@ -64,8 +64,9 @@ fn acting_on(case: &Case, body: &Body, input: &Point) -> Vec<BodyLoad> {
         }
     }
     for spring in case.chain.springs.iter().filter(|spring| spring.body == body.name) {
+        let SpringEnd::Ground(to) = spring.to else { continue };
         let (position, velocity) = motion(spring.at.position(body));
-        let from_ground = position - Vector3::from(spring.to);
+        let from_ground = position - Vector3::from(to);
         let direction = from_ground.normalize();
         let pull = direction * (spring.stiffness * (from_ground.norm() - spring.length));
         let damping = direction * (spring.damping * direction.dot(&velocity));

@@ -93,6 +93,7 @@ pub(crate) fn cube(name: &str) -> Element {
         output: Frame::at([1.0, 0.0, 0.0]),
         inertia: [1.0 / 6.0, 5.0 / 12.0, 5.0 / 12.0, 0.0, 0.0, 0.0],
         about: About::Input,
+        points: Vec::new(),
     })
 }
 
@@ -114,6 +115,7 @@ pub(crate) fn disc(name: &str, mass: f64, inertia: f64) -> Element {
         output: Frame::IDENTITY,
         inertia: [0.6 * inertia, 0.7 * inertia, inertia, 0.0, 0.0, 0.0],
         about: About::Com,
+        points: Vec::new(),
     })
 }
 
