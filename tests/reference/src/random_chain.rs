@@ -13,7 +13,7 @@ use crate::recipe::{Ends, HingeChoice, Recipe};
 use crate::rotation::{self, Mat3, Vec3};
 
 /// The largest number of chains that are tried.
-const TRIES: usize = 1000;
+pub(crate) const TRIES: usize = 1000;
 
 /// Returns a chain in space of `bodies` bodies, joined by hinges of the given kinds, with gravity
 /// and motors only.
@@ -47,28 +47,32 @@ pub fn random_mechanism(random: &mut Random, name: &str, recipe: &Recipe) -> Cha
     let layout = recipe.layout();
     recipe.kinds.retain(|kind| kind.exists_in(layout));
     assert!(recipe.bodies > 0 && !recipe.kinds.is_empty(), "a chain needs bodies and hinges");
-    for _ in 0..TRIES {
-        let mut chain = bare_chain(random, name, &recipe);
-        add_forces(random, &mut chain, &recipe);
-        if recipe.flat {
-            chain = chain.in_space();
-        }
-        if !recipe.ends.closed() && chain.springs.is_empty() {
-            return chain;
-        }
-        if recipe.ends == Ends::HeldHeld {
-            chain.finish = End::Held(closing_frame(random, &chain));
-        }
-        if has_states(random, &chain) {
-            return chain;
-        }
+    let chain = (0..TRIES).find_map(|_| {
+        let chain = bare_chain(random, name, &recipe);
+        finished(random, chain, &recipe)
+    });
+    chain.unwrap_or_else(|| panic!("chain {name}: no chain like this has been found"))
+}
+
+/// Adds everything that acts in a chain, and the finish of a closed chain; returns nothing if the
+/// chain then has no states.
+pub(crate) fn finished(random: &mut Random, mut chain: Chain, recipe: &Recipe) -> Option<Chain> {
+    add_forces(random, &mut chain, recipe);
+    if recipe.flat {
+        chain = chain.in_space();
     }
-    panic!("chain {name}: no chain like this has been found");
+    if !recipe.ends.closed() && chain.springs.is_empty() {
+        return Some(chain);
+    }
+    if recipe.ends == Ends::HeldHeld {
+        chain.finish = End::Held(closing_frame(random, &chain));
+    }
+    has_states(random, &chain).then_some(chain)
 }
 
 impl Recipe {
     /// Returns the dimension that contains the whole chain.
-    fn layout(&self) -> Dimension {
+    pub(crate) fn layout(&self) -> Dimension {
         if self.flat { Dimension::Plane } else { self.dimension }
     }
 }
@@ -100,7 +104,7 @@ impl Chain {
 
 /// Returns a chain with motors and gravity. A held finish of a closed chain is still at the inertial
 /// frame.
-fn bare_chain(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
+pub(crate) fn bare_chain(random: &mut Random, name: &str, recipe: &Recipe) -> Chain {
     let layout = recipe.layout();
     let mut elements = Vec::new();
     let mut hinges = 0;
@@ -139,7 +143,7 @@ fn random_ends(random: &mut Random, recipe: &Recipe) -> (End, End) {
     }
 }
 
-fn random_hinge(random: &mut Random, name: String, recipe: &Recipe) -> Hinge {
+pub(crate) fn random_hinge(random: &mut Random, name: String, recipe: &Recipe) -> Hinge {
     let layout = recipe.layout();
     let kind = match (random.choose(&recipe.kinds), layout) {
         (HingeChoice::Weld, _) => HingeKind::Weld,
@@ -210,7 +214,7 @@ fn random_universal(random: &mut Random) -> HingeKind {
     }
 }
 
-fn random_body(random: &mut Random, name: String, dimension: Dimension) -> Body {
+pub(crate) fn random_body(random: &mut Random, name: String, dimension: Dimension) -> Body {
     let mass = random.rounded(0.2, 5.0, 2);
     let com = random_offset(random, 0.6, dimension);
     let position = random_offset(random, 1.2, dimension);
@@ -244,7 +248,7 @@ pub(crate) fn flattened([x, y, z]: [f64; 3], dimension: Dimension) -> [f64; 3] {
 }
 
 /// Returns roll, pitch and yaw in degrees: zero, right angles, or any angles.
-fn random_turn(random: &mut Random, dimension: Dimension) -> [f64; 3] {
+pub(crate) fn random_turn(random: &mut Random, dimension: Dimension) -> [f64; 3] {
     let mut turn = [0.0; 3];
     if random.chance(0.4) {
         return turn;
@@ -285,7 +289,7 @@ fn random_inertia(random: &mut Random, mass: f64, com: [f64; 3], about: About) -
     entries.map(|entry| round_to(tensor[entry], 6))
 }
 
-fn random_ground(random: &mut Random, dimension: Dimension) -> Frame {
+pub(crate) fn random_ground(random: &mut Random, dimension: Dimension) -> Frame {
     if random.chance(0.5) {
         return Frame::IDENTITY;
     }

@@ -1,13 +1,24 @@
 //! The internal loads at the connection points, compared with the motions of the bodies.
 
+use crate::graph::{Graph, Spot};
 use crate::loads::wrench_on;
 use crate::samples::{
     Case, assert_close, central_inertia, gravity, matrix, plain_cases, rich_cases,
 };
+use crate::trees::trees;
 use mstmm_reference::{
-    Body, Dimension, Drives, Element, End, Group, Point, Solution, Source, State,
+    Body, Dimension, Drives, End, Group, Point, Solution, Source, Spring, SpringEnd, State,
 };
 use nalgebra::{Matrix3, Vector3};
+
+/// Chains of one route.
+fn chains() -> impl Iterator<Item = Case> {
+    plain_cases().into_iter().chain(rich_cases())
+}
+
+fn cases() -> impl Iterator<Item = Case> {
+    chains().chain(trees())
+}
 
 /// Returns the acceleration of a body's centre of mass, computed from its input point.
 fn com_acceleration(body: &Body, input: &Point) -> Vector3<f64> {
@@ -30,39 +41,71 @@ fn counting_inertia(case: &Case, body: &Body) -> Matrix3<f64> {
 }
 
 /// Every body fulfils Newton's and Euler's equations about the inertial origin under its weight, the
-/// external loads and the loads at its two ends.
+/// external loads, the load at its input and those of the hinges that leave it.
 #[test]
 fn every_body_is_in_balance() {
-    for case in plain_cases().into_iter().chain(rich_cases()) {
+    for case in cases() {
         let solution = case.solve();
-        for (k, element) in case.chain.elements.iter().enumerate() {
-            let Element::Body(body) = element else { continue };
-            let (input, output) = (&solution.points[k], &solution.points[k + 1]);
+        let graph = Graph::new(&case.chain);
+        for (number, body) in case.chain.bodies().enumerate() {
+            let input = graph.input(&solution, number);
             let rotation = matrix(&input.rotation);
             let com = Vector3::from(input.position) + rotation * Vector3::from(body.com);
             let acceleration = com_acceleration(body, input);
-            let [outside, outside_moment] = wrench_on(&case, body, input);
+            let [outside, outside_moment] = wrench_on(&case, &solution, number);
             let weight = gravity(&case) * body.mass;
-
-            let (force_in, force_out) = (Vector3::from(input.force), Vector3::from(output.force));
-            let newton = force_in - force_out + weight + outside - acceleration * body.mass;
-
             let inertia = rotation * counting_inertia(&case, body) * rotation.transpose();
             let spin = Vector3::from(input.angular_velocity);
             let momentum_rate = com.cross(&(acceleration * body.mass))
                 + inertia * Vector3::from(input.angular_acceleration)
                 + spin.cross(&(inertia * spin));
-            let moment = Vector3::from(output.moment) - Vector3::from(input.moment)
-                + Vector3::from(input.position).cross(&force_in)
-                - Vector3::from(output.position).cross(&force_out)
+
+            let force_in = Vector3::from(input.force);
+            let mut newton = force_in + weight + outside - acceleration * body.mass;
+            let mut moment = Vector3::from(input.position).cross(&force_in)
+                - Vector3::from(input.moment)
                 + com.cross(&weight)
                 + outside_moment;
+            for ([inboard, _], load) in graph.hinges.iter().zip(&solution.hinge_loads) {
+                if graph.body(*inboard) == Some(number) {
+                    let (force, point) = (Vector3::from(load.force), &solution.points[*inboard]);
+                    newton -= force;
+                    moment +=
+                        Vector3::from(load.moment) - Vector3::from(point.position).cross(&force);
+                }
+            }
 
             let scale = 1.0 + force_in.norm() + momentum_rate.norm();
             let context = format!("{} {}", case.chain.name, body.name);
             assert!(newton.norm() < 1e-11 * scale, "{context}: {newton}");
             let turning = (moment - momentum_rate).norm();
             assert!(turning < 1e-11 * scale || is_line(&case), "{context}: {turning:e}");
+        }
+    }
+}
+
+/// The load at an output, a named point or a start is the sum over the hinges that begin there.
+#[test]
+fn points_have_the_loads_of_their_hinges() {
+    for case in cases() {
+        let solution = case.solve();
+        let graph = Graph::new(&case.chain);
+        assert_eq!(solution.points.len(), graph.spots.len());
+        for (number, (spot, point)) in graph.spots.iter().zip(&solution.points).enumerate() {
+            let is_input = matches!(spot, Spot::On(_, place) if place == "input");
+            if is_input || *spot == Spot::Finish {
+                continue;
+            }
+            let mut rest = (Vector3::from(point.force), Vector3::from(point.moment));
+            for ([inboard, _], load) in graph.hinges.iter().zip(&solution.hinge_loads) {
+                if *inboard == number {
+                    rest.0 -= Vector3::from(load.force);
+                    rest.1 -= Vector3::from(load.moment);
+                }
+            }
+            let scale =
+                1.0 + Vector3::from(point.force).norm() + Vector3::from(point.moment).norm();
+            assert!(rest.0.norm() + rest.1.norm() < 1e-13 * scale, "{} {spot:?}", case.chain.name);
         }
     }
 }
@@ -77,26 +120,25 @@ fn is_line(case: &Case) -> bool {
 #[test]
 fn hinges_pass_on_their_efforts() {
     let open = |case: &Case| !case.chain.closed();
-    for case in plain_cases().into_iter().chain(rich_cases()).filter(open) {
+    for case in cases().filter(open) {
         let solution = case.solve();
-        let hinges = case.chain.elements.iter().enumerate().filter_map(|(k, element)| {
-            let Element::Hinge(hinge) = element else { return None };
-            Some((k, hinge))
-        });
+        let graph = Graph::new(&case.chain);
         let (mut rate, mut motion) = (case.chain.base_dof_count(), 0);
-        for ((k, hinge), efforts) in hinges.zip(&solution.efforts) {
-            let (inboard, outboard) = (&solution.points[k], &solution.points[k + 1]);
+        let hinges = case.chain.hinges().zip(&graph.hinges).enumerate();
+        for ((number, (hinge, [from, to])), efforts) in hinges.zip(&solution.efforts) {
+            let (inboard, outboard) = (&solution.points[*from], &solution.points[*to]);
+            let at_inboard = &solution.hinge_loads[number];
             let between = Vector3::from(outboard.position) - Vector3::from(inboard.position);
             let (force, moment) = (Vector3::from(outboard.force), -Vector3::from(outboard.moment));
-            let carried = -(moment + between.cross(&force)) - Vector3::from(inboard.moment);
-            assert_eq!(inboard.force, outboard.force);
+            let carried = -(moment + between.cross(&force)) - Vector3::from(at_inboard.moment);
+            assert_eq!(at_inboard.force, outboard.force);
             assert!(carried.norm() < 1e-11 * (1.0 + moment.norm()), "{}", case.chain.name);
 
             let motors = |group: &Group| Group { motor: Source::None, ..group.clone() };
             let idle = [&hinge.linear, &hinge.turning].iter().all(|g| motors(g).is_empty());
             for (number, effort) in efforts.iter().enumerate().filter(|_| idle) {
                 let alone = only(&case, hinge.prescribed, rate + number, [motion, number]);
-                let (inboard, outboard) = (&alone.points[k], &alone.points[k + 1]);
+                let (inboard, outboard) = (&alone.points[*from], &alone.points[*to]);
                 let velocity = Vector3::from(outboard.velocity)
                     - Vector3::from(inboard.velocity)
                     - Vector3::from(inboard.angular_velocity).cross(&between);
@@ -130,7 +172,7 @@ fn only(case: &Case, prescribed: bool, rate: usize, place: [usize; 2]) -> Soluti
 /// Free ends carry no load, the ground does not move, and moving ends move as prescribed.
 #[test]
 fn ends_are_as_described() {
-    for case in plain_cases().into_iter().chain(rich_cases()) {
+    for case in chains() {
         let solution = case.solve();
         assert_eq!(solution.points.len(), case.chain.elements.len() + 1);
         let Drives { start, finish, .. } = &case.drives;
@@ -169,18 +211,19 @@ fn ends_are_as_described() {
 /// The common centre of mass of a floating chain falls freely, whatever acts inside the chain.
 #[test]
 fn floating_chains_fall_freely() {
-    let rich = rich_cases()
-        .into_iter()
-        .filter(|case| case.chain.loads.is_empty() && case.chain.springs.is_empty());
-    let cases = plain_cases().into_iter().chain(rich);
-    for case in cases.filter(|case| case.chain.floats()) {
+    let inner = |case: &Case| {
+        let to_bodies = |spring: &Spring| matches!(spring.to, SpringEnd::Body { .. });
+        let starts = case.chain.later_routes.iter().map(|route| &route.start);
+        let branches = starts.into_iter().all(|start| matches!(start, End::Place(_)));
+        branches && case.chain.loads.is_empty() && case.chain.springs.iter().all(to_bodies)
+    };
+    for case in cases().filter(|case| case.chain.floats()).filter(inner) {
         let solution = case.solve();
+        let graph = Graph::new(&case.chain);
         let mut excess = Vector3::zeros();
-        for (k, element) in case.chain.elements.iter().enumerate() {
-            if let Element::Body(body) = element {
-                let acceleration = com_acceleration(body, &solution.points[k]);
-                excess += (acceleration - gravity(&case)) * body.mass;
-            }
+        for (number, body) in case.chain.bodies().enumerate() {
+            let acceleration = com_acceleration(body, graph.input(&solution, number));
+            excess += (acceleration - gravity(&case)) * body.mass;
         }
         assert!(excess.norm() < 1e-10, "{}: {excess}", case.chain.name);
     }

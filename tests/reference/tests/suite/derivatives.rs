@@ -4,9 +4,11 @@
 //! These tests connect the conventions of the hinge rates, the accelerations in these rates, the
 //! accelerations of the connection points, and all efforts and loads.
 
+use crate::graph::{Graph, Spot};
 use crate::loads::power_on;
 use crate::samples::{Case, assert_close, gravity, matrix, plain_cases, rich_cases};
-use mstmm_reference::{Element, End, Gravity, Group, Hinge, Point, Solution};
+use crate::trees::trees;
+use mstmm_reference::{Gravity, Group, Hinge, Point, Solution};
 use nalgebra::Vector3;
 
 /// The time in s between two solutions.
@@ -24,7 +26,7 @@ fn slope([before_2, before_1, after_1, after_2]: [f64; 4]) -> f64 {
 }
 
 fn cases() -> impl Iterator<Item = Case> {
-    plain_cases().into_iter().chain(rich_cases())
+    plain_cases().into_iter().chain(rich_cases()).chain(trees())
 }
 
 /// Returns the case at [`MOMENTS`].
@@ -175,22 +177,22 @@ fn power_at_ends(case: &Case, now: &Solution) -> f64 {
     let into_next = |point: &Point| {
         dot(point.force, point.velocity) - dot(point.moment, point.angular_velocity)
     };
-    let mut power = 0.0;
-    if case.chain.start != End::Free {
-        power += into_next(&now.points[0]);
-    }
-    if case.chain.finish != End::Free {
-        power -= into_next(&now.points[now.points.len() - 1]);
-    }
-    power
+    let spots = Graph::new(&case.chain).spots;
+    let power = |(spot, point): (Spot, &Point)| match spot {
+        Spot::Start(_) => into_next(point),
+        Spot::Finish => -into_next(point),
+        Spot::On(..) => 0.0,
+    };
+    spots.into_iter().zip(&now.points).map(power).sum()
 }
 
-/// Returns the power of loads, dampers to the ground, and gravity if it has no potential.
+/// Returns the power of loads, dampers of springs, and gravity if it has no potential.
 fn power_of_loads(case: &Case, now: &Solution) -> f64 {
     let mut power = 0.0;
-    for (element, input) in case.chain.elements.iter().zip(&now.points) {
-        let Element::Body(body) = element else { continue };
-        power += power_on(case, body, input);
+    let graph = Graph::new(&case.chain);
+    for (number, body) in case.chain.bodies().enumerate() {
+        power += power_on(case, now, number);
+        let input = graph.input(now, number);
         if case.chain.gravity == Gravity::Input {
             let arm = matrix(&input.rotation) * Vector3::from(body.com);
             let spin = Vector3::from(input.angular_velocity);

@@ -1,6 +1,7 @@
 //! Inverse dynamics, compared with forward dynamics, energies and the power of all efforts and loads.
 
 use crate::samples::{Case, assert_close, plain_cases, rich_cases};
+use crate::trees::trees;
 use mstmm_reference::{Drives, Element, End, Gravity, Group, Hinge, State};
 
 /// The tolerance relative to the largest effort: the rounding error of a dense system of up to 66
@@ -8,7 +9,7 @@ use mstmm_reference::{Drives, Element, End, Gravity, Group, Hinge, State};
 const TOLERANCE: f64 = 1e-11;
 
 fn cases() -> impl Iterator<Item = Case> {
-    plain_cases().into_iter().chain(rich_cases())
+    plain_cases().into_iter().chain(rich_cases()).chain(trees())
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -29,8 +30,8 @@ fn forward_efforts(case: &Case, efforts: &[Vec<f64>]) -> Vec<f64> {
 /// Returns whether the motion of a hinge or of an end of the chain is prescribed.
 fn is_prescribed(case: &Case) -> bool {
     let moving = |end: &End| matches!(end, End::Moving { .. });
-    moving(&case.chain.start)
-        || moving(&case.chain.finish)
+    let starts = case.chain.later_routes.iter().map(|route| &route.start);
+    starts.chain([&case.chain.start, &case.chain.finish]).any(moving)
         || case.chain.hinges().any(|hinge| hinge.prescribed)
 }
 
@@ -125,7 +126,7 @@ fn conserve(case: &mut Case) {
     if chain.gravity == Gravity::Input {
         chain.gravity = Gravity::Constant(case.drives.gravity);
     }
-    for element in &mut chain.elements {
+    for element in chain.all_elements_mut() {
         let Element::Hinge(Hinge { linear, turning, .. }) = element else { continue };
         for group in [linear, turning] {
             let lasting = Group { damping: Vec::new(), friction: Vec::new(), ..group.clone() };
