@@ -119,6 +119,7 @@ mod point;
 mod primitive;
 mod quaternion;
 mod scalar;
+mod spring;
 mod trig;
 
 pub use body::{BodyResult, HasCom, HasOutput, OptionalPoints};
@@ -139,5 +140,6 @@ pub use point::{
     LineStateVector, PlanePoint, PlaneStateVector, Point, Results, StateVector,
 };
 pub use scalar::{Mask, Scalar};
+pub use spring::SpringResult;
 #[cfg(feature = "wide")]
 pub use wide;

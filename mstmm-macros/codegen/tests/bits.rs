@@ -9,7 +9,7 @@ use mstmm_codegen::compile::{Compiled, CompiledFunction, compile, outputs};
 use mstmm_codegen::examine::Findings;
 use mstmm_codegen::function::Unknowns;
 use mstmm_codegen::model::{Answer, Chain, Layout, SolutionMethod, Symbol, Value};
-use mstmm_codegen::program::{Argument, ArrayRole, Procedure};
+use mstmm_codegen::program::{Argument, ArrayRole, OutputId, Procedure};
 use mstmm_reference::Random;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -37,12 +37,16 @@ struct Hash(u64);
 impl Hash {
     const EMPTY: Hash = Hash(0xcbf2_9ce4_8422_2325);
 
-    /// Adds all results, entry by entry; a value that is the same in all repetitions counts once.
-    fn add(&mut self, procedure: &Procedure, arrays: &Arrays<f64>) {
+    /// Adds the results that are wanted, entry by entry; a value that is the same in all repetitions counts once.
+    fn add(
+        &mut self,
+        procedure: &Procedure,
+        arrays: &Arrays<f64>,
+        wanted: impl Fn(OutputId) -> bool,
+    ) {
         for array in &procedure.arrays {
             let ArrayRole::Result(id) = array.role else { continue };
-            // Slots are what the other functions read.
-            if id == outputs::slots(id.part) {
+            if !wanted(id) {
                 continue;
             }
             let values = arrays.result(id);
@@ -116,7 +120,13 @@ fn constant(chain: &Chain, value: &Value) -> f64 {
     }
 }
 
-/// Returns the hashes of all functions of a chain.
+/// Whether a result counts for the row of its function. Slots are what the other functions read; the results of springs
+/// have a row of their own.
+fn counts_for_function(id: OutputId) -> bool {
+    id != outputs::slots(id.part) && id != outputs::SPRINGS
+}
+
+/// Returns the hashes of all functions of a chain, and of the results of its springs.
 fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     let compiled = compile(chain, findings, &Layout::of(chain));
     let name = |function: &CompiledFunction| match function.answer {
@@ -125,6 +135,7 @@ fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
     };
     let functions = || std::iter::once(&compiled.setup).chain(&compiled.functions);
     let mut hashes: Vec<_> = functions().map(|it| (name(it), [Hash::EMPTY; 2])).collect();
+    let mut of_springs = [Hash::EMPTY; 2];
     for seed in 0..STATES {
         let mut random = Random::new(seed);
         let given =
@@ -134,12 +145,17 @@ fn hashes(chain: &Chain, findings: &Findings) -> Vec<(String, [Hash; 2])> {
             for (function, (_, hashes)) in functions().zip(&mut hashes) {
                 let mut arrays = given.clone();
                 run(&function.procedure, &mut arrays).expect("nothing is tested");
-                hashes[usize::from(fused)].add(&function.procedure, &arrays);
+                hashes[usize::from(fused)].add(&function.procedure, &arrays, counts_for_function);
+                let is_springs = |id| id == outputs::SPRINGS;
+                of_springs[usize::from(fused)].add(&function.procedure, &arrays, is_springs);
                 if function.answer.is_none() {
                     given.arguments.extend(slots(&compiled, &arrays));
                 }
             }
         }
+    }
+    if of_springs[0].0 != Hash::EMPTY.0 {
+        hashes.push(("Springs".to_owned(), of_springs));
     }
     hashes
 }

@@ -2,7 +2,9 @@
 
 use super::point_storage::{self, PointStorage};
 use super::{layouts, outputs};
-use crate::equations::{self, AXES, EvalContext, ForwardDynamics, SymbolValues, Trace};
+use crate::equations::{
+    self, AXES, EvalContext, ForwardDynamics, SpringReport, SymbolValues, Trace,
+};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
@@ -147,6 +149,16 @@ impl<'a> ChainCompiler<'a> {
         self.output(id, layouts::rates(self.chain, self.layout), values)
     }
 
+    fn springs(&self, springs: &[SpringReport<Expr<'a>>]) -> Output {
+        let translations = self.chain.dimension.translations();
+        let of_spring = |spring: &SpringReport<Expr<'a>>| {
+            let force = translations.iter().map(|&axis| spring.force[axis]);
+            [spring.length, spring.length_rate, spring.tension].into_iter().chain(force).collect()
+        };
+        let values: Vec<Vec<Expr>> = springs.iter().map(of_spring).collect();
+        self.output(outputs::SPRINGS, layouts::springs(self.chain), &values.concat())
+    }
+
     /// Returns the pivots that are not known to be positive.
     fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<NamedPivot> {
         let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
@@ -183,14 +195,15 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn solution(&self) -> Traced<'a> {
         let results = self.chain.results;
-        let ((solved, report, energy), function) = self.traced(|tracer, trace| {
+        let ((solved, report, energy, springs), function) = self.traced(|tracer, trace| {
             let merged = self.context(self.merged).with_loops(tracer);
             let (solved, swept) =
                 equations::forward_dynamics_with_wrenches(&merged, self.method(), AXES, trace);
             let context = self.context(self.layout).with_loops(tracer);
             let report = equations::report(&context, (&solved, &swept), trace);
             let energy = results.energies.then(|| equations::energy(&context, trace));
-            (solved, report, energy)
+            let springs = results.z.then(|| equations::spring_report(&merged, AXES, trace));
+            (solved, report, energy, springs.unwrap_or_default())
         });
         let pivots = self.pivots(&solved);
         let (storage, numbers) =
@@ -219,6 +232,9 @@ impl<'a> ChainCompiler<'a> {
         };
         let at_rest: Vec<Expr> = self.chain.dimension.translations().iter().map(felt).collect();
         outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
+        if !springs.is_empty() {
+            outputs.push(by_entry(self.springs(&springs)));
+        }
         Traced { function: Function { outputs, pivots, ..function }, storage: Some(storage) }
     }
 

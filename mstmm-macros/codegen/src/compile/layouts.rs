@@ -55,6 +55,13 @@ pub fn points(chain: &Chain) -> ArrayLayout {
     of(chain, std::iter::once((1, None)).chain(outputs))
 }
 
+/// Returns the layout of the results of all springs: length, rate of the length, tension, and the components of the force.
+pub fn springs(chain: &Chain) -> ArrayLayout {
+    let count = 3 + chain.dimension.translations().len();
+    let springs = chain.springs.iter();
+    of(chain, springs.map(|spring| (count, chain.repeat_of_body(spring.on.body))))
+}
+
 /// Returns the layout of the stored values of all connection points; points without values form no segment.
 pub fn numbers_of_points(chain: &Chain, storage: &PointStorage) -> ArrayLayout {
     of(chain, storage.segments.iter().copied())

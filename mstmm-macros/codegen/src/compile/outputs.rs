@@ -17,6 +17,8 @@ pub const UNDETERMINED: OutputId = OutputId::new("undetermined");
 pub const POINT_NUMBERS: OutputId = OutputId::new("points");
 /// The proper acceleration of a point at rest: the negative of the acceleration of free fall.
 pub const AT_REST: OutputId = OutputId::new("at_rest");
+/// Length, rate of the length, tension and force of every spring.
+pub const SPRINGS: OutputId = OutputId::new("springs");
 /// The time derivatives of the coordinates.
 pub const COORDINATE_RATES: OutputId = OutputId::new("coordinate_rates");
 /// The coordinates.

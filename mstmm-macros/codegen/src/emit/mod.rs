@@ -27,6 +27,7 @@ mod printer;
 mod procedure;
 mod quaternions;
 mod sealed;
+mod spring;
 mod state;
 mod statement;
 mod warning;

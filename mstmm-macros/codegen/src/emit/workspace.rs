@@ -2,7 +2,9 @@
 
 use super::arrays::usize_literal;
 use super::point_access::point_type;
-use super::{EmitContext, body, docs, indexed_access, initial_values, orders, point_access};
+use super::{
+    EmitContext, body, docs, indexed_access, initial_values, orders, point_access, spring,
+};
 use crate::compile::outputs;
 use crate::model::{BodyId, Element, Hinge, HingeId};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -45,6 +47,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         method: closure_method,
         shown: closure_shown,
     } = closure;
+    let spring::SpringItems { field: springs_field, zero: springs_zero, methods: springs } =
+        spring::items(cx);
     let (text, body_types) = (name.to_string(), body::types(cx));
     let elements =
         cx.chain.elements.iter().enumerate().map(|(route_index, element)| match *element {
@@ -69,6 +73,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #closure_field
             numbers: [T; #number_count],
             at_rest: [T; #translations],
+            #springs_field
         }
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -91,6 +96,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #closure_method
 
             #(#elements)*
+
+            #springs
         }
         #body_types
         impl<T: #mstmm::Scalar> ::core::fmt::Debug for #name<T> {
@@ -120,6 +127,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                     #closure_zero
                     numbers: #initial_numbers,
                     at_rest: #initial_at_rest,
+                    #springs_zero
                 }
             }
         }

@@ -11,8 +11,8 @@
 use super::base_parameters::to_base_parameters;
 use super::hinge::PassiveElements;
 use super::kinematics::poses;
-use super::loads::spring_energy;
 use super::loop_hinge::loop_hinge;
+use super::springs::Springs;
 use super::sweep::Flatten;
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Scalar, Vec3};
@@ -48,7 +48,8 @@ pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Ener
         Source::Nothing | Source::Input => Vec3::zero(),
     };
     let poses = poses(context, &links);
-    let start = Energy { kinetic: S::zero(), potential: spring_energy(context, None) };
+    let springs = Springs::new(context, &links, &poses);
+    let start = Energy { kinetic: S::zero(), potential: springs.energy(None) };
     let mut energy = context.tree.total(start, |index, mut energy| {
         let (link, pose) = (&links[index], &poses[index]);
         let coupling = link.omega.cross(link.first_moment);
@@ -57,7 +58,7 @@ pub fn energy<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Ener
         energy.kinetic = energy.kinetic + shifting + turning * half;
         let first_moment = pose.position * link.mass + pose.to_inertial * link.first_moment;
         energy.potential = energy.potential - gravity.dot(first_moment);
-        energy.potential = energy.potential + spring_energy(context, Some((index, link, pose)));
+        energy.potential = energy.potential + springs.energy(Some(index));
         energy.add_passives(&link.hinge.passives);
         energy
     });

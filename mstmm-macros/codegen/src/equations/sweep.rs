@@ -169,29 +169,52 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         else {
             return carried;
         };
-        let mut values = Vec::new();
-        carried.clone().visit(&mut |number| {
-            values.push(number);
-            number
-        });
-        // Without values across this boundary no loop is needed.
-        if values.is_empty() {
-            return carried;
-        }
-        let inwards = direction == SweepDirection::Inward;
-        let replaced = if at_end == inwards {
-            hook.enter(repeat, inwards, &values)
-        } else {
-            hook.leave(repeat, &values)
+        let inward = direction == SweepDirection::Inward;
+        let hook = |values: &[S]| {
+            if at_end == inward {
+                hook.enter(repeat, inward, values)
+            } else {
+                hook.leave(repeat, values)
+            }
         };
-        if replaced.len() != values.len() {
-            bug!("{} numbers reach a boundary, {} leave it", values.len(), replaced.len())
-        }
-        let mut replaced = replaced.into_iter();
-        carried.visit(&mut |_| {
-            replaced.next().unwrap_or_else(|| bug!("fewer numbers leave a boundary than reach it"))
-        })
+        replaced(carried, hook)
     }
+
+    /// Runs `step` for the repetitions of a part, outward or inward, with values that no link carries.
+    /// The first repetition in this direction starts with `first`, each other one with the values that
+    /// `step` returns for the repetition before it. Returns the values of the last repetition, and the
+    /// result.
+    pub fn through<B: Flatten<S>, R>(
+        &self,
+        (repeat, inward): (RepeatId, bool),
+        first: B,
+        step: impl FnOnce(B) -> (B, R),
+    ) -> (B, R) {
+        let Some(hook) = self.hook else { return step(first) };
+        let start = replaced(first, |values| hook.enter(repeat, inward, values));
+        let (next, result) = step(start);
+        (replaced(next, |values| hook.leave(repeat, values)), result)
+    }
+}
+
+/// Returns a set with all its values replaced. Without values no loop is needed.
+fn replaced<S: Scalar, B: Flatten<S>>(set: B, replace: impl FnOnce(&[S]) -> Vec<S>) -> B {
+    let mut values = Vec::new();
+    set.clone().visit(&mut |number| {
+        values.push(number);
+        number
+    });
+    if values.is_empty() {
+        return set;
+    }
+    let replaced = replace(&values);
+    if replaced.len() != values.len() {
+        bug!("{} numbers reach a boundary, {} leave it", values.len(), replaced.len())
+    }
+    let mut replaced = replaced.into_iter();
+    set.visit(&mut |_| {
+        replaced.next().unwrap_or_else(|| bug!("fewer numbers leave a boundary than reach it"))
+    })
 }
 
 impl<S: Scalar> Flatten<S> for S {

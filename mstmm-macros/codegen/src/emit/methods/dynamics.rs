@@ -140,6 +140,7 @@ fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
         outputs::UNDETERMINED => Destination::Closure,
         outputs::POINT_NUMBERS => Destination::Array(quote!(at_.numbers)),
         outputs::AT_REST => Destination::Array(quote!(at_.at_rest)),
+        outputs::SPRINGS => Destination::Array(quote!(at_.springs)),
         _ => bug!("a workspace has no place for `{}`", id.name),
     }
 }
