@@ -31,7 +31,7 @@ macro_rules! bennett {
     };
 }
 
-mod written {
+mod unrolled {
     use super::*;
     bennett!(Bennett, riccati, [], (1), (sqrt(2)));
     bennett!(Twice, riccati, [], (2), (2 * sqrt(2)));
@@ -95,12 +95,12 @@ macro_rules! same_as_written {
             assert_eq!(found.1, 3, "{label}");
         };
         for steps in [0, 60, 200] {
-            let state = moved(&written::Bennett::<$scalar>::new(), steps);
+            let state = moved(&unrolled::Bennett::<$scalar>::new(), steps);
             let truth = || {
                 accelerations_as!(
                     $scalar,
-                    written::Bennett::new(),
-                    written::BennettWorkspace<_>,
+                    unrolled::Bennett::new(),
+                    unrolled::BennettWorkspace<_>,
                     &state
                 )
             };
@@ -153,13 +153,13 @@ macro_rules! same_as_written {
                     &state
                 ),
             );
-            let state = moved(&written::Twice::<$scalar>::new(), steps);
+            let state = moved(&unrolled::Twice::<$scalar>::new(), steps);
             let mut twice = parametric::Bennett::new();
             twice.set_size(2.0).expect("a size");
             let truth = accelerations_as!(
                 $scalar,
-                written::Twice::new(),
-                written::TwiceWorkspace<_>,
+                unrolled::Twice::new(),
+                unrolled::TwiceWorkspace<_>,
                 &state
             );
             check(

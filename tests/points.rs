@@ -164,10 +164,10 @@ fn precisions_and_methods_agree() {
 #[test]
 fn repeated_parts_have_points_by_index() {
     fn check<A: Read<Scalar = f64>, B: Read<Scalar = f64>>() {
-        let (written, repeated) = (A::prepared(), B::prepared());
+        let (unrolled, repeated) = (A::prepared(), B::prepared());
         for seed in 0..STATES {
             let state = random_state::<A>(&mut Random::new(seed));
-            let expected = A::read(&solved(&written, &state));
+            let expected = A::read(&solved(&unrolled, &state));
             let found = B::read(&solved(&repeated, &copied(&state)));
             assert_eq!(expected.len(), found.len());
             for (number, (expected, found)) in expected.iter().zip(&found).enumerate() {

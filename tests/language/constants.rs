@@ -81,7 +81,7 @@ fn constants_are_masses() {
 #[test]
 fn a_constant_is_as_good_as_its_number() {
     mstmm_chain! {
-        chain Given {
+        chain ByConstants {
             gravity = [0, -T, 0] m/s^2;
             body Rod {
                 mass = T;
@@ -92,7 +92,7 @@ fn a_constant_is_as_good_as_its_number() {
             ground at [0, Q, 0] -> pin([Q, 0, T]) shoulder -> Rod -> ball wrist -> Rod tool;
             hinge shoulder { start = Q; start_rate = T; torque = Q; }
         }
-        chain Written {
+        chain ByNumbers {
             gravity = [0, -2, 0] m/s^2;
             body Rod {
                 mass = 2;
@@ -104,14 +104,14 @@ fn a_constant_is_as_good_as_its_number() {
             hinge shoulder { start = 0.25; start_rate = 2; torque = 0.25; }
         }
     }
-    let (given, written) = (Given::<f64>::new(), Written::<f64>::new());
-    let (q, v) = (given.initial_state(), written.initial_state());
+    let (by_constants, by_numbers) = (ByConstants::<f64>::new(), ByNumbers::<f64>::new());
+    let (q, v) = (by_constants.initial_state(), by_numbers.initial_state());
     assert_eq!((q.q, q.v), (v.q, v.v));
-    let [given, written] = [
-        given.accelerations(&q, &given.no_inputs()).expect("a regular chain"),
-        written.accelerations(&v, &written.no_inputs()).expect("a regular chain"),
+    let [by_constants, by_numbers] = [
+        by_constants.accelerations(&q, &by_constants.no_inputs()).expect("a regular chain"),
+        by_numbers.accelerations(&v, &by_numbers.no_inputs()).expect("a regular chain"),
     ];
-    crate::assert_close(given, written);
+    crate::assert_close(by_constants, by_numbers);
 }
 
 /// A chain in a function sees what is declared there.

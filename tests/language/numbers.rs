@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 
 /// The mass that is written, as the chain has it.
 macro_rules! mass {
-    ($($written:tt)*) => {{
+    ($($mass:tt)*) => {{
         mstmm_chain! {
             chain Lump {
                 body Mass {
-                    mass = $($written)*;
+                    mass = $($mass)*;
                     com = [0, 0, 0];
                     inertia = diag(1, 1, 1) about com;
                 }

@@ -4,10 +4,10 @@ use mstmm::{ChainState, GeneratedChain, Scalar, mstmm_chain};
 use mstmm_reference::Random;
 
 macro_rules! chains {
-    ($method:ident: $written:ident $repeated:ident $space:ident) => {
+    ($method:ident: $unrolled:ident $repeated:ident $space:ident) => {
         mstmm_chain! {
             /// Five bars, one much heavier, with rotors: two degrees of freedom.
-            pub plane chain $written {
+            pub plane chain $unrolled {
                 method = $method;
                 body Light { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 0.1 about com; }
                 body Heavy { mass = 9 kg; com = [0.4, 0.1] m; output = [1, 0] m; inertia = 1 about com; }

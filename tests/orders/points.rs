@@ -3,9 +3,9 @@
 use mstmm::mstmm_chain;
 
 macro_rules! chains {
-    ($method:ident: $written:ident $repeated:ident $hanging:ident $adrift:ident) => {
+    ($method:ident: $unrolled:ident $repeated:ident $hanging:ident $adrift:ident) => {
         mstmm_chain! {
-            pub chain $written {
+            pub chain $unrolled {
                 method = $method;
                 gravity = [1, -9.8, 2] m/s^2;
                 body Rod {

@@ -4,7 +4,7 @@ use mstmm::prelude::*;
 use mstmm::{HingeMotion, PinState, Scalar};
 
 macro_rules! chains {
-    ($method:ident: $repeated:ident $written:ident) => {
+    ($method:ident: $repeated:ident $unrolled:ident) => {
         mstmm_chain! {
             pub chain $repeated {
                 method = $method;
@@ -22,7 +22,7 @@ macro_rules! chains {
         }
         mstmm_chain! {
             /// The same, written out.
-            pub chain $written {
+            pub chain $unrolled {
                 method = $method;
                 gravity = [1, -9.8, 2] m/s^2;
                 body Rod {
@@ -65,7 +65,7 @@ fn filled<S: ChainState>(state: &mut S) {
 }
 
 macro_rules! check {
-    ($repeated:ident $repeated_state:ident $written:ident $written_state:ident $number:ident) => {{
+    ($repeated:ident $repeated_state:ident $unrolled:ident $unrolled_state:ident $number:ident) => {{
         type Number = $number;
         let number = |k: usize| Number::from(k as u8) * 0.01;
         let mut state = $repeated_state::<Number>::default();
@@ -99,17 +99,17 @@ macro_rules! check {
         assert_eq!((state.e().position(), state.e().velocity()), (number(28), number(24)));
 
         // Written out it is the same order: numbers can be copied from one to the other.
-        let (repeated, written) = ($repeated::<Number>::new(), $written::<Number>::new());
+        let (repeated, unrolled) = ($repeated::<Number>::new(), $unrolled::<Number>::new());
         let mut state = repeated.initial_state();
         filled(&mut state);
-        let twin = $written_state { q: state.q, v: state.v, t: state.t };
+        let twin = $unrolled_state { q: state.q, v: state.v, t: state.t };
         let told = HingeMotion { state: PinState::new(0.3, 0.5), acceleration: 0.7 };
-        let (mut inputs, mut same) = (repeated.no_inputs(), written.no_inputs());
+        let (mut inputs, mut same) = (repeated.no_inputs(), unrolled.no_inputs());
         (inputs.told, same.told) = (told, told);
         let mut at = repeated.workspace();
         repeated.solve_into(&state, &inputs, &mut at).expect("a regular chain");
         let found = repeated.accelerations(&state, &inputs).expect("a regular chain");
-        let expected = written.accelerations(&twin, &same).expect("a regular chain");
+        let expected = unrolled.accelerations(&twin, &same).expect("a regular chain");
         let (off, size) = ((found - expected).norm(), expected.norm());
         assert!(off < 1e4 * Number::EPSILON * size, "{off:e} of {size}");
 

@@ -5,10 +5,10 @@ use mstmm::{Error, GeneratedChain, Scalar};
 use std::fmt::Debug;
 
 macro_rules! chains {
-    ($method:ident: $written:ident $repeated:ident $adrift:ident $loop:ident $moved:ident) => {
+    ($method:ident: $unrolled:ident $repeated:ident $adrift:ident $loop:ident $moved:ident) => {
         mstmm_chain! {
             /// Balls, a pin between them, and a hinge that holds nothing.
-            pub chain $written {
+            pub chain $unrolled {
                 method = $method;
                 gravity = [0, -9.8, 0] m/s^2;
                 body Link {

@@ -68,7 +68,7 @@ macro_rules! compare {
                 [9.0, 0.4, 0.5, 20.0].map(|least| random.between(least, 1.5 * least));
             let knots = [(); 3].map(|()| random.between(0.1, 0.5));
             let bends = [(); 3].map(|()| random.between(0.1, 0.5));
-            let (mut repeated, mut written) = ($chain::<f64>::new(), KnotsOut::<f64>::new());
+            let (mut repeated, mut unrolled) = ($chain::<f64>::new(), KnotsOut::<f64>::new());
             let mut set = || -> Result<(), Error> {
                 repeated.set_fall(fall)?;
                 repeated.set_extra(extra)?;
@@ -76,24 +76,24 @@ macro_rules! compare {
                 repeated.set_hard(hard)?;
                 repeated.set_knot(|index| knots[index])?;
                 repeated.set_bend(|index| bends[index])?;
-                written.set_fall(fall)?;
-                written.set_extra(extra)?;
-                written.set_length(length)?;
-                written.set_hard(hard)?;
-                written.set_knot1(knots[0])?;
-                written.set_knot2(knots[1])?;
-                written.set_knot3(knots[2])?;
-                written.set_bend1(bends[0])?;
-                written.set_bend2(bends[1])?;
-                written.set_bend3(bends[2])
+                unrolled.set_fall(fall)?;
+                unrolled.set_extra(extra)?;
+                unrolled.set_length(length)?;
+                unrolled.set_hard(hard)?;
+                unrolled.set_knot1(knots[0])?;
+                unrolled.set_knot2(knots[1])?;
+                unrolled.set_knot3(knots[2])?;
+                unrolled.set_bend1(bends[0])?;
+                unrolled.set_bend2(bends[1])?;
+                unrolled.set_bend3(bends[2])
             };
             set().expect("numbers that make sense");
             assert_eq!(repeated.parameters().knot(), &knots);
             assert_eq!(repeated.parameters().extra(), extra);
-            Pair { name: stringify!($chain), repeated, written }.check(|_, _| {}, |_, _| {});
+            Pair { name: stringify!($chain), repeated, unrolled }.check(|_, _| {}, |_, _| {});
         }
-        let (repeated, written) = ($chain::<f64>::new(), KnotsOut::<f64>::new());
-        Pair { name: "defaults", repeated, written }.check(|_, _| {}, |_, _| {});
+        let (repeated, unrolled) = ($chain::<f64>::new(), KnotsOut::<f64>::new());
+        Pair { name: "defaults", repeated, unrolled }.check(|_, _| {}, |_, _| {});
     };
 }
 

@@ -113,17 +113,17 @@ fn state<C: GeneratedChain>(chain: &C, angles: &[f64]) -> C::State {
 const TOLERANCE: f64 = 1e3 * 400.0;
 
 macro_rules! compare {
-    ($scalar:ty, $module:ident, $repeated:ident, $written:ident, $angles:ident, $list:expr, $redundant:literal) => {
+    ($scalar:ty, $module:ident, $repeated:ident, $unrolled:ident, $angles:ident, $list:expr, $redundant:literal) => {
         let repeated = $module::$repeated::<$scalar>::new();
-        let written = $module::$written::<$scalar>::new();
-        let (mut at, mut out) = (repeated.workspace(), written.workspace());
+        let unrolled = $module::$unrolled::<$scalar>::new();
+        let (mut at, mut out) = (repeated.workspace(), unrolled.workspace());
         for angle in $list {
             let state = state(&repeated, &$angles(angle));
-            let mut twin = written.initial_state();
+            let mut twin = unrolled.initial_state();
             twin.coordinates_mut().copy_from_slice(state.coordinates());
             twin.rates_mut().copy_from_slice(state.rates());
             repeated.solve_into(&state, &repeated.no_inputs(), &mut at).expect("a state");
-            written.solve_into(&twin, &written.no_inputs(), &mut out).expect("a state");
+            unrolled.solve_into(&twin, &unrolled.no_inputs(), &mut out).expect("a state");
             let label = format!("{}, {}, {angle:e}", stringify!($repeated), stringify!($module));
             let redundant = (at.closure().redundant(), out.closure().redundant());
             assert_eq!(redundant, ($redundant, $redundant), "{label}");

@@ -53,7 +53,7 @@ fn apart(a: &dyn Debug, b: &dyn Debug) -> f64 {
 pub struct Pair<A, B> {
     pub name: &'static str,
     pub repeated: A,
-    pub written: B,
+    pub unrolled: B,
 }
 
 /// What sets the inputs of a chain from numbers.
@@ -67,10 +67,10 @@ where
     /// Compares everything in many states, with inputs from numbers of up to ±1 that both chains
     /// are given.
     pub fn check(&self, inputs: Inputs<A>, same: Inputs<B>) {
-        let Pair { name, repeated, written, .. } = self;
+        let Pair { name, repeated, unrolled, .. } = self;
         let tolerance = TOLERANCE * numbers(&A::Scalar::epsilon())[0];
         assert_eq!(numbers(&A::State::default()), numbers(&B::State::default()), "{name}");
-        let start = [numbers(&repeated.initial_state()), numbers(&written.initial_state())];
+        let start = [numbers(&repeated.initial_state()), numbers(&unrolled.initial_state())];
         assert_eq!(start[0], start[1], "{name}");
         let mut largest = (0.0, "anything", 0);
         let mut closed = 0;
@@ -78,12 +78,16 @@ where
             let mut random = Random::new(seed);
             let mut state = random_state::<A>(&mut random);
             let given = [(); 64].map(|()| A::Scalar::constant(random.between(-1.0, 1.0)));
-            let (mut drives, mut twin_drives) = (repeated.no_inputs(), written.no_inputs());
+            let (mut drives, mut twin_drives) = (repeated.no_inputs(), unrolled.no_inputs());
             inputs(&mut drives, &given);
             same(&mut twin_drives, &given);
             let mut twin: B::State = copied(&state);
             let assembled = repeated.assemble(&mut state, &drives);
-            assert_eq!(assembled, written.assemble(&mut twin, &twin_drives), "{name}, seed {seed}");
+            assert_eq!(
+                assembled,
+                unrolled.assemble(&mut twin, &twin_drives),
+                "{name}, seed {seed}"
+            );
             if assembled.is_err() {
                 continue;
             }
@@ -108,7 +112,7 @@ where
         state: &A::State,
         (given, same): (A::Inputs, B::Inputs),
     ) -> Vec<(&'static str, f64)> {
-        let Pair { name, repeated: a, written: b, .. } = self;
+        let Pair { name, repeated: a, unrolled: b, .. } = self;
         let twin: B::State = copied(state);
         let regular = |result: Result<(), Error>| result.unwrap_or_else(|e| panic!("{name}: {e}"));
         let step = A::Scalar::constant(STEP);
@@ -186,18 +190,18 @@ macro_rules! twins {
     (
         $head:tt
         $test:ident: $repeated:ident $($transfer:ident)? { $($short:tt)* }
-        = $written:ident { $($long:tt)* }
+        = $unrolled:ident { $($long:tt)* }
         $(given |$x:ident| $given:tt = $same:tt)?;
         $($others:tt)*
     ) => {
         twins!(@chain [$repeated] riccati $head { $($short)* });
         twins!(@chain [$($transfer)?] transfer $head { $($short)* });
-        twins!(@chain [$written] riccati $head { $($long)* });
+        twins!(@chain [$unrolled] riccati $head { $($long)* });
 
         #[test]
         fn $test() {
-            twins!(@compare f64 [$repeated] $written $($x $given $same)?);
-            twins!(@compare f64 [$($transfer)?] $written $($x $given $same)?);
+            twins!(@compare f64 [$repeated] $unrolled $($x $given $same)?);
+            twins!(@compare f64 [$($transfer)?] $unrolled $($x $given $same)?);
         }
 
         twins! { $head $($others)* }
@@ -219,7 +223,7 @@ macro_rules! twins {
         $crate::repeat::twins::Pair {
             name: concat!(stringify!($a), "<", stringify!($number), ">"),
             repeated: $a::<$number>::new(),
-            written: $b::<$number>::new(),
+            unrolled: $b::<$number>::new(),
         }
         .check(
             |_inputs, $x| { let _ = $x; $( _inputs.$field = $value; )* },

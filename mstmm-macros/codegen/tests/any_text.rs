@@ -74,7 +74,7 @@ proptest! {
 
 #[test]
 fn the_chains_that_are_changed_are_right() {
-    for text in base::written() {
+    for text in base::committed() {
         assert_eq!(check("written", &text), Some(true), "{text}");
     }
 }

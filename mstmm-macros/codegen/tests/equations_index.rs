@@ -95,7 +95,7 @@ fn collect(folder: &str, prefix: &str, index: &mut Index) {
 }
 
 /// Formats a cell of the table: `file: item, item; file`.
-fn written(files: &BTreeMap<String, BTreeSet<String>>) -> String {
+fn cell(files: &BTreeMap<String, BTreeSet<String>>) -> String {
     let file = |(file, items): (&String, &BTreeSet<String>)| {
         let items: Vec<&str> = items.iter().map(String::as_str).collect();
         if items.is_empty() { file.clone() } else { format!("{file}: {}", items.join(", ")) }
@@ -128,7 +128,7 @@ fn the_index_and_the_tags_agree() {
     let mut differences = Vec::new();
     for number in 1..=LAST_EQUATION {
         let (row, remark) = rows.get(&number).unwrap_or_else(|| panic!("({number}) has no row"));
-        let tags = tagged.get(&number).map(written).unwrap_or_default();
+        let tags = tagged.get(&number).map(cell).unwrap_or_default();
         if *row != tags {
             differences
                 .push(format!("({number}): the index has\n  {row}\nand the tags are\n  {tags}"));

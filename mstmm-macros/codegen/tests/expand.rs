@@ -95,11 +95,10 @@ fn variables_end_in_an_underscore() {
             self.0.insert(variable.ident.to_string());
         }
     }
-    let written = ["pendulum", "top", "two_pins", "rope", "four_bar", "arm"];
-    let written =
-        written.map(|name| std::fs::read_to_string(folder().join(format!("{name}.chain"))));
-    let written = written.map(|text| text.expect("a chain"));
-    for text in written.iter().map(String::as_str).chain([CONSTANTS, TOLD]) {
+    let names = ["pendulum", "top", "two_pins", "rope", "four_bar", "arm"];
+    let texts = names.map(|name| std::fs::read_to_string(folder().join(format!("{name}.chain"))));
+    let texts = texts.map(|text| text.expect("a chain"));
+    for text in texts.iter().map(String::as_str).chain([CONSTANTS, TOLD]) {
         let file = syn::parse2(compile(text)).expect("items");
         let mut variables = Variables::default();
         syn::visit::Visit::visit_file(&mut variables, &file);

@@ -27,13 +27,13 @@ fn places(given: &Arrays<f64>) -> Vec<(Argument, usize)> {
         matches!(argument, Coordinates | Rates | Input(_) | Time)
     };
     let arguments = given.arguments.iter().filter(|(argument, _)| is_given(argument));
-    let all =
+    let places =
         arguments.flat_map(|(&argument, values)| (0..values.len()).map(move |k| (argument, k)));
-    all.collect()
+    places.collect()
 }
 
 /// Returns the results of a procedure, with none for entries that have not been written.
-fn written(procedure: &Procedure, arrays: &Arrays<f64>) -> Vec<Vec<Option<f64>>> {
+fn results_of(procedure: &Procedure, arrays: &Arrays<f64>) -> Vec<Vec<Option<f64>>> {
     let roles = procedure.arrays.iter().map(|array| array.role);
     let ids = roles.filter_map(|role| match role {
         ArrayRole::Result(id) => Some(id),
@@ -48,8 +48,8 @@ fn refuses_values_that_are_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>
         let mut before = good.clone();
         let ran = run(procedure, &mut before);
         assert_eq!(ran, Ok(()), "seed {seed}, {answer:?}: a regular state");
-        let all = written(procedure, &before).concat();
-        assert!(all.iter().all(|x| x.is_some_and(f64::is_finite)), "seed {seed}, {answer:?}");
+        let entries = results_of(procedure, &before).concat();
+        assert!(entries.iter().all(|x| x.is_some_and(f64::is_finite)), "seed {seed}, {answer:?}");
         for (argument, entry) in places(good) {
             for bad in BAD {
                 let mut after = before.clone();
@@ -57,14 +57,16 @@ fn refuses_values_that_are_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>
                 let ran = run(procedure, &mut after);
                 let what = format!("seed {seed}, {answer:?}: {bad} at {entry} of {argument:?}");
                 assert_eq!(ran, Err(Failed::NotFinite), "{what}");
-                let left = written(procedure, &after);
+                let left = results_of(procedure, &after);
                 match procedure.failure {
-                    Failure::Untouched => assert_eq!(left, written(procedure, &before), "{what}"),
+                    Failure::Untouched => {
+                        assert_eq!(left, results_of(procedure, &before), "{what}")
+                    }
                     Failure::Reset => {
                         let initial = procedure.arrays.iter().flat_map(|array| &array.initial);
-                        let known: Vec<f64> = initial.map(|&(_, value)| value).collect();
+                        let initial: Vec<f64> = initial.map(|&(_, value)| value).collect();
                         let mut left = left.concat().into_iter().flatten();
-                        assert!(left.all(|x| known.contains(&x)), "{what}");
+                        assert!(left.all(|x| initial.contains(&x)), "{what}");
                     }
                 }
             }
@@ -76,10 +78,10 @@ fn refuses_values_that_are_not_finite(seed: u64, twin: &Twin, good: &Arrays<f64>
 fn every_entry_is_tested() {
     for seed in 0..24 {
         let Some(twins) = Twins::random(seed, Numbers::Written) else { continue };
-        let [repeated, written] = twins.state::<f64>(0);
+        let [repeated, unrolled] = twins.state::<f64>(0);
         refuses_values_that_are_not_finite(seed, &twins.repeated, &repeated);
         if seed.is_multiple_of(4) {
-            refuses_values_that_are_not_finite(seed, &twins.written, &written);
+            refuses_values_that_are_not_finite(seed, &twins.unrolled, &unrolled);
         }
     }
 }

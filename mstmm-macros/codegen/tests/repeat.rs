@@ -45,11 +45,11 @@ fn results<S: Judge>(
 
 /// Compares all functions.
 fn compare<S: Judge>(twins: &Twins, epsilon: f64) {
-    let [repeated, written] = twins.state::<S>(0);
+    let [repeated, unrolled] = twins.state::<S>(0);
     for function in &twins.repeated.compiled.functions {
         let answer = function.answer.expect("an answer");
         let one = results(&twins.repeated, function, &repeated);
-        let other = results(&twins.written, twins.written.compiled.function(answer), &written);
+        let other = results(&twins.unrolled, twins.unrolled.compiled.function(answer), &unrolled);
         for ((name, one), (other_name, other)) in one.iter().zip(&other) {
             let what = format!("seed {}, {}: {name}", twins.seed, function.name());
             assert_eq!(name, other_name, "{what}");
@@ -59,7 +59,7 @@ fn compare<S: Judge>(twins: &Twins, epsilon: f64) {
         assert_eq!(one.len(), other.len());
     }
     let functions = |twin: &Twin| twin.compiled.functions.len();
-    assert_eq!(functions(&twins.repeated), functions(&twins.written), "seed {}", twins.seed);
+    assert_eq!(functions(&twins.repeated), functions(&twins.unrolled), "seed {}", twins.seed);
 }
 
 /// Every third chain is also compared in twice the precision, with all numbers as parameters, so that nothing is rounded at

@@ -25,7 +25,7 @@ pub fn files(folder: &str, end: &str) -> Vec<(String, String)> {
 }
 
 /// The chains that are committed as text.
-pub fn written() -> Vec<String> {
+pub fn committed() -> Vec<String> {
     let folders = ["expand", "../../../fuzz/seeds"].into_iter();
     let alone = folders.flat_map(|folder| files(folder, ".chain")).map(|(_, text)| text);
     let counted = files(".", "operation_counts.chains").remove(0).1;
@@ -35,7 +35,7 @@ pub fn written() -> Vec<String> {
 
 /// One of them, or a random one.
 pub fn any() -> BoxedStrategy<String> {
-    prop_oneof![select(written()), proptest::num::u64::ANY.prop_map(random)].boxed()
+    prop_oneof![select(committed()), proptest::num::u64::ANY.prop_map(random)].boxed()
 }
 
 fn random(seed: u64) -> String {

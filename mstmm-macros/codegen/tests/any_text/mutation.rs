@@ -62,7 +62,7 @@ pub fn changed(base: BoxedStrategy<String>) -> BoxedStrategy<String> {
             for mutation in mutations {
                 tokens = mutation.apply(tokens);
             }
-            written(tokens)
+            spaced(tokens)
         })
         .boxed()
 }
@@ -156,7 +156,7 @@ fn replace(tokens: TokenStream, place: &mut usize, new: &TokenStream) -> TokenSt
 }
 
 /// As text, with a word for brackets that are none.
-fn written(tokens: TokenStream) -> String {
+fn spaced(tokens: TokenStream) -> String {
     named(tokens).to_string()
 }
 

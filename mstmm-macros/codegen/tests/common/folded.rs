@@ -18,8 +18,8 @@ pub fn texts(random: &mut Random, name: &str, recipe: &Recipe) -> [String; 2] {
     let short = random_mechanism(random, name, recipe);
     let parts = random_parts(random, &short);
     let method = Some(if random.chance(0.4) { "transfer" } else { "riccati" });
-    let written = written_out(&short, &parts).to_macro_text(method);
-    let mut texts = [folded(&short.to_macro_text(method), &short, &parts), written];
+    let unrolled = written_out(&short, &parts).to_macro_text(method);
+    let mut texts = [folded(&short.to_macro_text(method), &short, &parts), unrolled];
     for part in &parts {
         for element in &short.elements[part.elements.clone()] {
             if let Element::Body(body) = element {
@@ -123,7 +123,7 @@ fn with_parameters(random: &mut Random, texts: &mut [String; 2], body: &Body, co
 
 /// Makes the number after a keyword in the type of a body a parameter.
 fn parametrise(
-    [repeated, written]: &mut [String; 2],
+    [repeated, unrolled]: &mut [String; 2],
     body: &Body,
     count: usize,
     (word, number, unit): (&str, f64, &str),
@@ -140,7 +140,7 @@ fn parametrise(
         add_to_head(text, &format!("param {parameter}{suffix}{size} = {number:?}{unit};"));
     };
     replace(repeated, "", &format!("[{count}]"));
-    (0..count).for_each(|time| replace(written, &format!("_{time}"), ""));
+    (0..count).for_each(|time| replace(unrolled, &format!("_{time}"), ""));
 }
 
 fn add_to_head(text: &mut String, line: &str) {

@@ -23,7 +23,7 @@ pub struct Twin {
 pub struct Twins {
     pub seed: u64,
     pub repeated: Twin,
-    pub written: Twin,
+    pub unrolled: Twin,
 }
 
 /// The stage at which numbers become known.
@@ -70,16 +70,16 @@ impl Twins {
     /// Returns the pair for a recipe.
     pub fn of(seed: u64, random: &mut Random, recipe: &Recipe, numbers: Numbers) -> Option<Twins> {
         let texts = texts(random, &format!("Twin{seed}"), recipe);
-        let [repeated, written] = texts.each_ref().map(|text| Twin::new(text, numbers));
-        match (repeated, written) {
-            (Ok(repeated), Ok(written)) => {
-                let twins = Twins { seed, repeated, written };
+        let [repeated, unrolled] = texts.each_ref().map(|text| Twin::new(text, numbers));
+        match (repeated, unrolled) {
+            (Ok(repeated), Ok(unrolled)) => {
+                let twins = Twins { seed, repeated, unrolled };
                 twins.close_alike().then_some(twins)
             }
             (Err(_), Err(_)) => None,
-            (repeated, written) => {
-                let [repeated, written] = [repeated.err(), written.err()];
-                panic!("seed {seed}: one is refused, {repeated:?} {written:?}\n{}", texts[0])
+            (repeated, unrolled) => {
+                let [repeated, unrolled] = [repeated.err(), unrolled.err()];
+                panic!("seed {seed}: one is refused, {repeated:?} {unrolled:?}\n{}", texts[0])
             }
         }
     }
@@ -91,15 +91,15 @@ impl Twins {
             let loop_hinges = twin.layout.loop_hinges.iter();
             loop_hinges.map(|&hinge| twin.chain.hinges[hinge].name.to_string()).collect()
         };
-        names(&self.repeated) == names(&self.written)
+        names(&self.repeated) == names(&self.unrolled)
     }
 
     /// Returns the arguments of both in a random state, closed or not, with random parameters and inputs, after the setup.
     pub fn state<S: Judge>(&self, number: u64) -> [Arrays<S>; 2] {
         let mut random = Random::new(1000 * self.seed + number);
-        let written = self.written.random_arguments::<S>(&mut random);
-        let repeated = self.repeated_arguments(&written);
-        [self.repeated.set_up(repeated), self.written.set_up(written)]
+        let unrolled = self.unrolled.random_arguments::<S>(&mut random);
+        let repeated = self.repeated_arguments(&unrolled);
+        [self.repeated.set_up(repeated), self.unrolled.set_up(unrolled)]
     }
 
     /// Converts the arguments of the chain written out to those of the repeated chain.
@@ -107,7 +107,7 @@ impl Twins {
         &self,
         given: &HashMap<Argument, Vec<S>>,
     ) -> HashMap<Argument, Vec<S>> {
-        let (repeated, written) = (&self.repeated, &self.written);
+        let (repeated, unrolled) = (&self.repeated, &self.unrolled);
         let count = |part| repeated.chain.repeats[part].count;
         // Elements outside of parts have the same names.
         let gathered = |times: Option<usize>, name: &str, find: &dyn Fn(&str) -> Argument| {
@@ -121,7 +121,7 @@ impl Twins {
             Argument::Parameter(parameter) => {
                 let parameter = &repeated.chain.parameters[parameter.index()];
                 gathered(parameter.repetitions, &parameter.name.to_string(), &|name| {
-                    let index = written.chain.parameters.iter().position(|it| it.name == name);
+                    let index = unrolled.chain.parameters.iter().position(|it| it.name == name);
                     Argument::Parameter(ParameterId(index.expect("the same parameter")))
                 })
             }
@@ -130,8 +130,8 @@ impl Twins {
                 let times = repeated.chain.repeat_of_input(what).map(count);
                 let (kind, name) = repeated.name_of(input);
                 gathered(times, &name, &|name| {
-                    let mut inputs = written.layout.inputs.ids().into_iter();
-                    let input = inputs.find(|&it| written.name_of(it) == (kind, name.to_owned()));
+                    let mut inputs = unrolled.layout.inputs.ids().into_iter();
+                    let input = inputs.find(|&it| unrolled.name_of(it) == (kind, name.to_owned()));
                     Argument::Input(input.expect("the same input"))
                 })
             }

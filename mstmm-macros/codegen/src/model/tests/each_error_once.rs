@@ -11,8 +11,8 @@ pub(super) const ITEMS: &str = "; the items are `gravity`, `method`, `results`, 
 
 /// A chain of rods with this written behind their description.
 #[track_caller]
-pub(super) fn expect_rods(written: &str, errors: &[(&str, &str)]) {
-    expect_all(&format!("chain A {{ {ROD} {written} }}"), errors);
+pub(super) fn expect_rods(items: &str, errors: &[(&str, &str)]) {
+    expect_all(&format!("chain A {{ {ROD} {items} }}"), errors);
 }
 
 /// Reads a rod on a hinge of this kind with these properties.
@@ -23,9 +23,9 @@ pub(super) fn expect_hinge(kind: &str, fields: &str, errors: &[(&str, &str)]) {
 
 /// The parameter `p` as the mass of a body.
 #[track_caller]
-fn expect_parameter(written: &str, errors: &[(&str, &str)]) {
+fn expect_parameter(rest: &str, errors: &[(&str, &str)]) {
     let body = "body Bar { mass = p; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }";
-    expect_all(&format!("chain A {{ param p{written}; {body} ground -> pin j -> Bar; }}"), errors);
+    expect_all(&format!("chain A {{ param p{rest}; {body} ground -> pin j -> Bar; }}"), errors);
 }
 
 #[test]

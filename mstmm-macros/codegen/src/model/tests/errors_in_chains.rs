@@ -43,20 +43,24 @@ fn plane_chains_have_two_components() {
 
 #[test]
 fn inertias_in_the_plane_are_numbers() {
-    let written = "0.1 kg*m^2 about com";
+    let original = "0.1 kg*m^2 about com";
     expect_plane(
-        written,
+        original,
         "diag(1, 1, 1) about com",
         &[("diag(1, 1, 1)", "expected one moment of inertia in a plane chain, …")],
     );
-    expect_plane(written, "0.1 kg*m^2", &[("0.1 kg*m^2", "an inertia needs a reference point: …")]);
-    expect_plane(written, "-0.1 about com", &[("-0.1", "a moment of inertia cannot be negative")]);
     expect_plane(
-        written,
+        original,
+        "0.1 kg*m^2",
+        &[("0.1 kg*m^2", "an inertia needs a reference point: …")],
+    );
+    expect_plane(original, "-0.1 about com", &[("-0.1", "a moment of inertia cannot be negative")]);
+    expect_plane(
+        original,
         "0.2 about input",
         &[("0.2 about input", "this inertia about the input is too small …")],
     );
-    expect_plane(written, "0.25 about input", &[]);
+    expect_plane(original, "0.25 about input", &[]);
     expect_plane(
         "mass = 1 kg",
         "mass = 1 kg about com",
@@ -114,8 +118,8 @@ fn ends_are_at_the_ends() {
 
 /// A load on the example's rod.
 #[track_caller]
-fn expect_load(written: &str, errors: &[(&str, &str)]) {
-    expect_all(&edited(&[("hinge wrist", &format!("{written} hinge wrist"))]), errors);
+fn expect_load(load: &str, errors: &[(&str, &str)]) {
+    expect_all(&edited(&[("hinge wrist", &format!("{load} hinge wrist"))]), errors);
 }
 
 #[test]

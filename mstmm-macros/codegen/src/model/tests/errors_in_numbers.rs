@@ -4,8 +4,8 @@ use super::expect;
 
 /// A mass that is wrong.
 #[track_caller]
-fn expect_mass(written: &str, errors: &[(&str, &str)]) {
-    expect("mass = 2 kg", &format!("mass = {written}"), errors);
+fn expect_mass(value: &str, errors: &[(&str, &str)]) {
+    expect("mass = 2 kg", &format!("mass = {value}"), errors);
 }
 
 #[test]

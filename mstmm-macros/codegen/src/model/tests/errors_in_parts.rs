@@ -16,9 +16,9 @@ fn fields_that_are_missing_are_listed_together() {
         &[("Rod", "body `Rod` needs `mass`"), ("colour", "… no field `colour`; it has …")],
     );
     // What could be the mass is not missed beside.
-    for written in ["colour = 2", "colour = 2 kg"] {
+    for field in ["colour = 2", "colour = 2 kg"] {
         let message = "… no field `colour`; it has …";
-        expect("mass = 2 kg", written, &[("colour", message)]);
+        expect("mass = 2 kg", field, &[("colour", message)]);
     }
     // One that could not be read is not missing.
     expect("mass = 2 kg", "mass = ?", &[("?", "expected a number, found `?`")]);
@@ -91,33 +91,33 @@ fn masses_are_positive() {
 
 #[test]
 fn inertias_are_well_formed() {
-    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    let original = "diag(0, 1/6, 1/6) kg*m^2 about com";
     expect(
-        written,
+        original,
         "diag(0, 1/6, 1/6) kg*m^2 about con",
         &[("con", "expected `input` or `com`, found `con`; did you mean `com`?")],
     );
     let ways = "expected `diag(xx, yy, zz)`, `tensor(xx, yy, zz, xy, xz, yz)` or `matrix(…)`";
     expect(
-        written,
+        original,
         "tenser(1, 1, 1, 0, 0, 0) about com",
         &[("tenser", &format!("{ways}, found `tenser`; did you mean `tensor`?"))],
     );
-    expect(written, "1 kg*m^2", &[("1 kg*m^2", &format!("{ways}, found a number"))]);
+    expect(original, "1 kg*m^2", &[("1 kg*m^2", &format!("{ways}, found a number"))]);
 }
 
 #[test]
 fn inertias_are_physical() {
-    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    let original = "diag(0, 1/6, 1/6) kg*m^2 about com";
     expect(
-        written,
+        original,
         "diag(1, -1, 1) kg*m^2 about com",
         &[("-1", "a moment of inertia cannot be negative")],
     );
     let message = "no real body has this inertia: …";
-    expect(written, "diag(0, 1/6, 1/5) about com", &[("diag(0, 1/6, 1/5)", message)]);
+    expect(original, "diag(0, 1/6, 1/5) about com", &[("diag(0, 1/6, 1/5)", message)]);
     expect(
-        written,
+        original,
         "tensor(1, 1, 1, 0.6, 0, 0) about com",
         &[("tensor(1, 1, 1, 0.6, 0, 0)", message)],
     );
@@ -125,11 +125,11 @@ fn inertias_are_physical() {
     let moments = "the principal moments are -0.348, 0.0681 and 0.38 kg*m^2";
     let unordered = "tensor(0.1, 0, 0, 0.2, 0, 0.3)";
     let message = format!("no real body … other two; {order}; in this order {moments}");
-    expect(written, &format!("{unordered} about com"), &[(unordered, &message)]);
+    expect(original, &format!("{unordered} about com"), &[(unordered, &message)]);
     let negative = format!("a moment of inertia cannot be negative; {order}");
-    expect(written, "tensor(1, -1, 1, 0, 0, 0) about com", &[("-1", &negative)]);
+    expect(original, "tensor(1, -1, 1, 0, 0, 0) about com", &[("-1", &negative)]);
     // A rod of 2 kg and 1 m has 2/3 kg m² about its end.
-    expect(written, "diag(0, 2/3, 2/3) about input", &[]);
+    expect(original, "diag(0, 2/3, 2/3) about input", &[]);
 }
 
 const PITCH: &str = "a pin has no field `pitch`; it has `start`, `start_rate`, `stiffness`, `damping`, `armature`, `friction`, `friction_speed`, `limits`, `limit_stiffness`, `limit_damping`, `torque`, `rest` and `motion`";
@@ -238,13 +238,13 @@ fn fields_are_known_by_other_names() {
 
 #[test]
 fn matrices_of_inertia_are_symmetric() {
-    let written = "diag(0, 1/6, 1/6) kg*m^2 about com";
+    let original = "diag(0, 1/6, 1/6) kg*m^2 about com";
     let matrix = |rows: &str| format!("matrix({rows}) kg*m^2 about com");
     let good = "[1, 0.1, 0.2], [0.1, 1, 0.3], [0.2, 0.3, 1]";
-    expect(written, &matrix(good), &[]);
-    expect(written, &matrix(&good.replace("[0.1", "[0.10000000001")), &[]);
+    expect(original, &matrix(good), &[]);
+    expect(original, &matrix(&good.replace("[0.1", "[0.10000000001")), &[]);
     expect(
-        written,
+        original,
         &matrix(&good.replace("[0.1", "[0.100001").replace("0.3, 1]", "0.4, 1]")),
         &[
             ("0.100001", "an inertia is symmetric: `yx` must equal `xy`"),
@@ -253,21 +253,21 @@ fn matrices_of_inertia_are_symmetric() {
     );
     // Formulas are compared as they are.
     let ratio = |other: &str| matrix(&format!("[1, ratio/9, 0], [{other}, 1, 0], [0, 0, 1]"));
-    expect(written, &ratio("ratio/9"), &[]);
-    expect(written, &ratio("0.2"), &[("0.2", "an inertia is symmetric: `yx` must equal `xy`")]);
+    expect(original, &ratio("ratio/9"), &[]);
+    expect(original, &ratio("0.2"), &[("0.2", "an inertia is symmetric: `yx` must equal `xy`")]);
     let shape = "write a matrix as `matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])`";
-    expect(written, &matrix("[1, 0, 0], [0, 1]"), &[("[0, 1]", shape)]);
-    expect(written, &matrix("[1, 0, 0], [0, 1, 0]"), &[("([1, 0, 0], [0, 1, 0])", shape)]);
-    expect(written, "[[1, 0, 0], [0, 1, 0], [0, 0, 1]] about com", &[("[", shape)]);
+    expect(original, &matrix("[1, 0, 0], [0, 1]"), &[("[0, 1]", shape)]);
+    expect(original, &matrix("[1, 0, 0], [0, 1, 0]"), &[("([1, 0, 0], [0, 1, 0])", shape)]);
+    expect(original, "[[1, 0, 0], [0, 1, 0], [0, 0, 1]] about com", &[("[", shape)]);
     expect(
-        written,
+        original,
         &matrix("[1, 0, 0], [0, -1, 0], [0, 0, 1]"),
         &[("-1", "a moment of inertia cannot be negative")],
     );
     let round = "write an inertia as `diag(xx, yy, zz)`, with round parentheses";
-    expect(written, "[0, 1, 1] kg*m^2 about com", &[("[", round)]);
+    expect(original, "[0, 1, 1] kg*m^2 about com", &[("[", round)]);
     expect(
-        written,
+        original,
         "tensor[1, 1, 1, 0, 0, 0] about com",
         &[("[1, 1, 1, 0, 0, 0]", "write `tensor(…)`, with round parentheses")],
     );

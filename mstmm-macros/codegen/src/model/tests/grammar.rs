@@ -30,15 +30,15 @@ fn the_grammar_has_all_keywords_and_no_others() {
         .map(str::to_owned)
         .collect();
     known.extend(words_of_the_parser());
-    let written: BTreeSet<String> = GRAMMAR
+    let in_grammar: BTreeSet<String> = GRAMMAR
         .split('\'')
         .skip(1)
         .step_by(2)
         .filter(|text| is_word(text))
         .map(str::to_owned)
         .collect();
-    let missing: Vec<_> = known.difference(&written).collect();
-    let unknown: Vec<_> = written.difference(&known).collect();
+    let missing: Vec<_> = known.difference(&in_grammar).collect();
+    let unknown: Vec<_> = in_grammar.difference(&known).collect();
     assert!(missing.is_empty() && unknown.is_empty(), "missing {missing:?}, unknown {unknown:?}");
 }
 

@@ -9,13 +9,13 @@ use crate::model::{
 };
 
 /// A number in the place of the rod's mass.
-fn mass(written: &str) -> Value {
-    let (chain, _) = chain(&edited(&[("mass = 2 kg", &format!("mass = {written}"))]));
+fn mass(value: &str) -> Value {
+    let (chain, _) = chain(&edited(&[("mass = 2 kg", &format!("mass = {value}"))]));
     chain.bodies[BodyId(1)].mass.clone()
 }
 
-fn known_mass(written: &str) -> f64 {
-    mass(written).known().expect("a known number")
+fn known_mass(value: &str) -> f64 {
+    mass(value).known().expect("a known number")
 }
 
 #[test]
