@@ -72,10 +72,13 @@ impl Chain {
         elements
     }
 
-    /// Returns the attachment inboard of the boundary at `attachment`, or `attachment` itself.
-    pub fn before_boundary<'a>(&'a self, attachment: &'a Attachment) -> &'a Attachment {
-        self.repeat_boundary(attachment)
-            .map_or(attachment, |boundary| &self.hinges[self.weld_of(boundary)].inboard)
+    /// Returns the attachment inboard of the boundaries at `attachment`, or `attachment` itself. Two
+    /// boundaries follow each other between two repeated parts.
+    pub fn before_boundary<'a>(&'a self, mut attachment: &'a Attachment) -> &'a Attachment {
+        while let Some(boundary) = self.repeat_boundary(attachment) {
+            attachment = &self.hinges[self.weld_of(boundary)].inboard;
+        }
+        attachment
     }
 }
 
