@@ -1,11 +1,10 @@
 //! The graph of a chain: which frames each hinge joins, and the connection points.
 
 use crate::chain::{Chain, Element, End};
-use crate::drives::{Drives, FrameMotion};
+use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::hinge::{Group, Hinge, Source};
 use crate::mechanism::{FrameState, Joint, Side};
-use crate::rotation;
-use crate::rotation::Vec3;
+use crate::rotation::{self, Vec3};
 use crate::route::Place;
 use std::ops::Range;
 
@@ -16,17 +15,34 @@ pub(crate) struct Assembly<'a> {
     /// The frames that starts and finishes of routes are attached to.
     pub(crate) frames: Vec<FrameState>,
     /// The connection points in written order.
-    pub(crate) points: Vec<Side>,
+    pub(crate) points: Vec<Reported>,
+}
+
+/// A connection point.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Reported {
+    pub(crate) side: Side,
+    /// The hinge whose share the point reports, if it begins at the same place as others, or at an
+    /// input; the point reports everything there otherwise.
+    pub(crate) share: Option<usize>,
+}
+
+/// An element by its number.
+#[derive(Clone, Copy)]
+enum Numbered {
+    Hinge(usize),
+    Body(usize),
 }
 
 /// An assembly of which some routes are done.
 struct Builder<'a> {
     chain: &'a Chain,
     drives: &'a Drives,
-    motions: std::slice::Iter<'a, crate::drives::HingeMotion>,
+    motions: std::slice::Iter<'a, HingeMotion>,
     coordinate: usize,
     rate: usize,
     bodies: usize,
+    elements: Vec<Numbered>,
     assembly: Assembly<'a>,
 }
 
@@ -46,13 +62,48 @@ impl<'a> Assembly<'a> {
             coordinate: chain.base_coordinates(),
             rate: chain.base_dof_count(),
             bodies: 0,
+            elements: Vec::new(),
             assembly,
         };
         let starts = std::iter::once(&drives.start).chain(&drives.route_starts);
         for (route, motion) in chain.routes().zip(starts) {
             builder.add_route(route, motion);
         }
-        builder.assembly
+        let Builder { elements, mut assembly, .. } = builder;
+        for element in elements {
+            assembly.add_points(chain, element);
+        }
+        assembly
+    }
+
+    /// Adds the connection points of an element: its input, if that is new, its output, and the named
+    /// points of a body at which hinges begin.
+    fn add_points(&mut self, chain: &Chain, element: Numbered) {
+        let leaving = |side: Side| self.joints.iter().filter(|it| it.inboard == side).count();
+        match element {
+            Numbered::Hinge(number) => {
+                let Joint { inboard, outboard, .. } = self.joints[number];
+                let is_input = matches!(inboard, Side::On { place: 0, .. });
+                let is_shared = is_input || leaving(inboard) > 1;
+                self.add_point(inboard, Some(number).filter(|_| is_shared));
+                self.add_point(outboard, None);
+            }
+            Numbered::Body(body) => {
+                let named = chain.bodies().nth(body).map_or(0, |body| body.points.len());
+                let named = (0..named).map(|point| Side::named(body, point));
+                let joined: Vec<Side> = named.filter(|side| leaving(*side) > 0).collect();
+                self.add_point(Side::input(body), None);
+                self.add_point(Side::output(body), None);
+                joined.into_iter().for_each(|side| self.add_point(side, None));
+            }
+        }
+    }
+
+    fn add_point(&mut self, side: Side, share: Option<usize>) {
+        let point = Reported { side, share };
+        if !self.points.contains(&point) {
+            self.points.push(point);
+        }
     }
 }
 
@@ -64,10 +115,6 @@ impl<'a> Builder<'a> {
     ) {
         let mut reached = self.attached(start, motion);
         let mut waiting: Option<&Hinge> = None;
-        match reached {
-            Some(side) => self.add_point(side),
-            None => self.add_point(Side::input(self.bodies)),
-        }
         for element in elements {
             match (element, waiting.take(), reached) {
                 (Element::Hinge(hinge), None, Some(_)) => waiting = Some(hinge),
@@ -126,21 +173,13 @@ impl<'a> Builder<'a> {
 
     /// Adds a body and returns its output.
     fn next_body(&mut self) -> Side {
-        let output = Side::output(self.bodies);
-        self.add_point(output);
+        self.elements.push(Numbered::Body(self.bodies));
         self.bodies += 1;
-        output
-    }
-
-    /// Adds a connection point, unless the chain has it already.
-    fn add_point(&mut self, side: Side) {
-        let points = &mut self.assembly.points;
-        if !matches!(side, Side::On { .. }) || !points.contains(&side) {
-            points.push(side);
-        }
+        Side::output(self.bodies - 1)
     }
 
     fn join(&mut self, hinge: &'a Hinge, inboard: Side, outboard: Side) {
+        self.elements.push(Numbered::Hinge(self.assembly.joints.len()));
         self.assembly.joints.push(Joint {
             hinge,
             inboard,
@@ -152,7 +191,6 @@ impl<'a> Builder<'a> {
         });
         self.coordinate += hinge.coordinates();
         self.rate += hinge.dof_count();
-        self.add_point(outboard);
     }
 }
 

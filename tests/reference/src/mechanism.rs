@@ -1,7 +1,7 @@
 //! A chain prepared for computing: bodies about their centres of mass, and hinges with their two
 //! sides.
 
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, Reported};
 use crate::chain::{About, Body, Chain, Frame, Gravity, State};
 use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::external_load::ExternalLoad;
@@ -18,7 +18,7 @@ pub(crate) struct Mechanism<'a> {
     /// The frames that starts and finishes of routes are attached to.
     pub(crate) frames: Vec<FrameState>,
     /// The connection points in written order.
-    pub(crate) points: Vec<Side>,
+    pub(crate) points: Vec<Reported>,
 }
 
 /// A body; all vectors start at its centre of mass and have components in body axes.

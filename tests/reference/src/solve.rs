@@ -1,5 +1,6 @@
 //! Accelerations, internal loads and energies at one instant.
 
+use crate::assembly::Reported;
 use crate::chain::{Chain, State};
 use crate::drives::Drives;
 use crate::equations::{Dynamics, Equations};
@@ -19,8 +20,8 @@ pub struct Solution {
     /// The efforts of every hinge in written order, one for every rate of its kind: the efforts of
     /// its motor, or of its drive if its motion is prescribed.
     pub efforts: Vec<Vec<f64>>,
-    /// The connection points in written order: for every route the input of its first element, unless
-    /// an earlier route has this point, then the output of every element.
+    /// The connection points in written order: of every element its input, if that is a new point, and
+    /// its output; after the output of a body its named points at which hinges begin.
     pub points: Vec<Point>,
     /// The load of every hinge at its inboard side, in written order.
     pub hinge_loads: Vec<HingeLoad>,
@@ -48,8 +49,9 @@ pub struct Solution {
 /// the moment of the force over the offset. The loads at a free end are zero.
 ///
 /// At an output or a named point where several hinges begin, the loads are the sums over these
-/// hinges. At an input where hinges begin, too, the loads are those of the hinge that ends there:
-/// they are zero at the input of a floating body.
+/// hinges, and the input of each hinge is a separate point with its share. The same holds for a hinge
+/// that begins at the input of a body; the loads at this input are those of the hinge that ends there,
+/// zero for a floating body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// The position in m.
@@ -123,7 +125,7 @@ impl Chain {
         let gap = gaps.fold(0.0, f64::max);
         assert!(gap <= GAP, "chain {}: the state leaves a gap of {gap:e}", self.name);
         let dynamics = equations.dynamics();
-        let point = |side: &Side| point_at(&mechanism, &motions, &dynamics, side);
+        let point = |point: &Reported| point_at(&mechanism, &motions, &dynamics, point);
         let spring = |load: &ExternalLoad| load.stretched(&motions).map(SpringState::from);
         let passive = || equations.contacts.iter().map(|contact| &contact.passive);
         Solution {
@@ -171,10 +173,21 @@ fn accelerations_at(place: &FrameState, dynamics: &Dynamics) -> (Vec3, Vec3) {
     (dynamics.linear[body] + angular.cross(&place.arm) + known.0, angular)
 }
 
-fn point_at(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics, side: &Side) -> Point {
+fn point_at(
+    mechanism: &Mechanism,
+    motions: &[Motion],
+    dynamics: &Dynamics,
+    Reported { side, share }: &Reported,
+) -> Point {
     let place = mechanism.frame_motion(side, motions);
     let (acceleration, angular_acceleration) = accelerations_at(&place, dynamics);
-    let (force, moment) = internal_loads(mechanism, motions, dynamics, side);
+    let (force, moment) = match *share {
+        None => internal_loads(mechanism, motions, dynamics, side),
+        Some(hinge) => {
+            let (joint, wrench) = (&mechanism.joints[hinge], &dynamics.wrenches[hinge]);
+            inboard_load(mechanism, motions, joint, wrench)
+        }
+    };
     Point {
         position: place.position.into(),
         rotation: rotation::rows(&place.rotation),

@@ -181,7 +181,7 @@ fn power_at_ends(case: &Case, now: &Solution) -> f64 {
     let power = |(spot, point): (Spot, &Point)| match spot {
         Spot::Start(_) => into_next(point),
         Spot::Finish => -into_next(point),
-        Spot::On(..) => 0.0,
+        Spot::On(..) | Spot::Share(..) => 0.0,
     };
     spots.into_iter().zip(&now.points).map(power).sum()
 }

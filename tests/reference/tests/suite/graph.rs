@@ -11,6 +11,8 @@ pub(crate) enum Spot {
     Finish,
     /// A place of a body: the number of the body, and `input`, `output` or the name of a point.
     On(usize, String),
+    /// The share of a hinge at a place, by the number of the hinge and of the body.
+    Share(usize, usize),
 }
 
 /// The connection points of a chain.
@@ -18,37 +20,44 @@ pub(crate) struct Graph {
     pub(crate) spots: Vec<Spot>,
     /// The inboard and the outboard point of every hinge.
     pub(crate) hinges: Vec<[usize; 2]>,
+    /// The place at which every hinge begins.
+    pub(crate) starts: Vec<Spot>,
 }
 
 impl Graph {
     pub(crate) fn new(chain: &Chain) -> Graph {
-        let mut graph = Graph { spots: Vec::new(), hinges: Vec::new() };
-        let later = chain.later_routes.iter();
-        let later = later.map(|route| (&route.start, &route.elements[..], &route.finish));
-        let first = (&chain.start, &chain.elements[..], &chain.finish);
-        let mut bodies = 0;
-        for (number, (start, elements, finish)) in std::iter::once(first).chain(later).enumerate() {
-            let mut here = graph.find(match start {
-                End::Free => Spot::On(bodies, "input".to_owned()),
-                End::Held(_) | End::Moving { .. } => Spot::Start(number),
-                End::Place(Place { body, point }) => {
-                    let body = chain.bodies().position(|it| it.name == *body).expect("the body");
-                    Spot::On(body, point.clone())
-                }
-            });
+        let starts = starts(chain);
+        let alone = |spot: &Spot| starts.iter().filter(|it| *it == spot).count() == 1;
+        let (spots, hinges) = (Vec::new(), Vec::new());
+        let mut graph = Graph { spots, hinges, starts: starts.clone() };
+        let (mut hinge, mut body) = (0, 0);
+        for (elements, finish) in routes(chain) {
             for (k, element) in elements.iter().enumerate() {
                 let ends = *finish != End::Free && k + 1 == elements.len();
-                let spot = match element {
-                    Element::Hinge(_) if ends => Spot::Finish,
-                    Element::Hinge(_) => Spot::On(bodies, "input".to_owned()),
-                    Element::Body(_) => Spot::On(bodies, "output".to_owned()),
-                };
-                let next = graph.find(spot);
+                let place = |name: &str| Spot::On(body, name.to_owned());
                 match element {
-                    Element::Hinge(_) => graph.hinges.push([here, next]),
-                    Element::Body(_) => bodies += 1,
+                    Element::Hinge(_) => {
+                        let start = match &starts[hinge] {
+                            Spot::On(at, name) if name == "input" || !alone(&starts[hinge]) => {
+                                Spot::Share(hinge, *at)
+                            }
+                            start => start.clone(),
+                        };
+                        let outboard = if ends { Spot::Finish } else { place("input") };
+                        let sides = [graph.find(start), graph.find(outboard)];
+                        graph.hinges.push(sides);
+                        hinge += 1;
+                    }
+                    Element::Body(described) => {
+                        graph.find(place("input"));
+                        graph.find(place("output"));
+                        let points = described.points.iter().map(|point| place(&point.name));
+                        for point in points.filter(|point| starts.contains(point)) {
+                            graph.find(point);
+                        }
+                        body += 1;
+                    }
                 }
-                here = next;
             }
         }
         graph
@@ -72,8 +81,40 @@ impl Graph {
     /// Returns the number of the body that a point is on.
     pub(crate) fn body(&self, point: usize) -> Option<usize> {
         match &self.spots[point] {
-            Spot::On(body, _) => Some(*body),
+            Spot::On(body, _) | Spot::Share(_, body) => Some(*body),
             Spot::Start(_) | Spot::Finish => None,
         }
     }
+}
+
+/// Returns the elements and the finishes of all routes.
+fn routes(chain: &Chain) -> impl Iterator<Item = (&[Element], &End)> {
+    let later = chain.later_routes.iter().map(|route| (&route.elements[..], &route.finish));
+    std::iter::once((&chain.elements[..], &chain.finish)).chain(later)
+}
+
+/// Returns the place at which every hinge begins.
+fn starts(chain: &Chain) -> Vec<Spot> {
+    let later = chain.later_routes.iter().map(|route| &route.start);
+    let ends: Vec<&End> = std::iter::once(&chain.start).chain(later).collect();
+    let (mut starts, mut bodies) = (Vec::new(), 0);
+    for (number, (elements, _)) in routes(chain).enumerate() {
+        let mut here = match ends[number] {
+            End::Free | End::Held(_) | End::Moving { .. } => Spot::Start(number),
+            End::Place(Place { body, point }) => {
+                let body = chain.bodies().position(|it| it.name == *body).expect("the body");
+                Spot::On(body, point.clone())
+            }
+        };
+        for element in elements {
+            match element {
+                Element::Hinge(_) => starts.push(here.clone()),
+                Element::Body(_) => {
+                    here = Spot::On(bodies, "output".to_owned());
+                    bodies += 1;
+                }
+            }
+        }
+    }
+    starts
 }
