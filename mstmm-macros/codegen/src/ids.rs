@@ -46,8 +46,12 @@ declare_id! {
     HingeId,
     /// A link: a rigid part of the chain with its inboard hinge.
     LinkId,
-    /// A repeated part of the route.
+    /// A repeated part of a route.
     RepeatId,
+    /// A way along which values pass from one repetition of a part to the next. The first one is the route.
+    ChannelId,
+    /// A connection point of the model.
+    PointId,
     /// An input: a quantity that the caller supplies at every step.
     InputId,
     /// A load.

@@ -12,7 +12,7 @@
 //! | [`model`] | the chain with resolved names and evaluated units and constants; the rules on models | `diag`, `ids`, `math`; `syntax` where it is lowered and checked |
 //! | [`math`] | scalars, vectors, spatial blocks | nothing of ours |
 //! | [`equations`] | the paper's equations, generic over [`math::Scalar`] | `ids`, `math`, `model` |
-//! | [`examine`] | evaluates a chain numerically | `diag`, `equations`, `math`, `model` |
+//! | [`examine`] | evaluates a chain numerically | `diag`, `equations`, `ids`, `math`, `model` |
 //! | [`expr`] | formulas as a hash-consed graph | `ids`, `math` |
 //! | [`program`] | programs and procedures, their operation counts and their text | `diag`, `ids` |
 //! | [`function`] | functions over the graph, with repeated parts as loops | `diag`, `equations`, `expr`, `ids`, `program` |

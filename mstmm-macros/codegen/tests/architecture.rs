@@ -19,7 +19,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("model", &["diag", "ids", "math", "syntax"]),
     ("math", &[]),
     ("equations", &["ids", "math", "model"]),
-    ("examine", &["diag", "equations", "math", "model"]),
+    ("examine", &["diag", "equations", "ids", "math", "model"]),
     ("expr", &["ids", "math"]),
     ("program", &["diag", "ids"]),
     ("function", &["diag", "equations", "expr", "ids", "program"]),

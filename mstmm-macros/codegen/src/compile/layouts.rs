@@ -2,7 +2,7 @@
 
 use super::PointStorage;
 use crate::ids::{HingeId, RepeatId};
-use crate::model::{Chain, Element, Input, Layout};
+use crate::model::{Chain, ConnectionPoints, Input, Layout};
 use crate::program::ArrayLayout;
 
 /// Returns the layout of items, each with its number of entries and its repeated part.
@@ -47,12 +47,8 @@ pub fn input(chain: &Chain, input: &Input) -> ArrayLayout {
 }
 
 /// Returns the layout of one entry for every connection point.
-pub fn points(chain: &Chain) -> ArrayLayout {
-    let outputs = chain.elements.iter().map(|element| match *element {
-        Element::Hinge(hinge) => (1, chain.repeat_of_hinge(hinge)),
-        Element::Body(body) => (1, chain.repeat_of_body(body)),
-    });
-    of(chain, std::iter::once((1, None)).chain(outputs))
+pub fn points(chain: &Chain, points: &ConnectionPoints) -> ArrayLayout {
+    of(chain, points.points.iter().map(|point| (1, point.repeat)))
 }
 
 /// Returns the layout of the results of all springs: length, rate of the length, tension, and the components of the force.

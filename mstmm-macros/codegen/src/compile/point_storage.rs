@@ -2,7 +2,8 @@
 
 use crate::equations::{FramedVector, PointState, SymbolValues};
 use crate::expr::{Edge, Expr, Graph};
-use crate::model::{Body, Chain, Dimension, Element, RepeatId, Results};
+use crate::ids::{BodyId, IdVec, PointId, RepeatId};
+use crate::model::{Body, Chain, ConnectionPoints, Dimension, Element, Results};
 use std::collections::HashMap;
 
 /// A vector in the stored values of all points.
@@ -48,8 +49,10 @@ pub struct StoredPoint {
 pub struct PointStorage {
     /// The number of entries of each segment, and its repeated part.
     pub segments: Vec<(usize, Option<RepeatId>)>,
-    /// The points of the model.
-    pub points: Vec<StoredPoint>,
+    /// The points.
+    pub points: IdVec<PointId, StoredPoint>,
+    /// The connection points that they belong to.
+    pub of: ConnectionPoints,
 }
 
 /// Assigns storage to all points of a chain; returns the storage and the values to be stored.
@@ -61,23 +64,25 @@ pub(super) fn allocate<'g>(
 ) -> (PointStorage, Vec<Expr<'g>>) {
     let mut allocator =
         PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
-    let mut storage = PointStorage::default();
-    let part = |element: &Element| match *element {
-        Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
-        Element::Body(body) => chain.repeat_of_body(body),
-    };
-    let parts = std::iter::once(None).chain(chain.elements.iter().map(part));
-    for (index, (point, part)) in points.iter().zip(parts).enumerate() {
+    let mut storage = PointStorage { of: chain.connection_points(), ..PointStorage::default() };
+    let ends = chain.elements.iter().zip(&storage.of.elements);
+    let inputs: HashMap<PointId, BodyId> = ends
+        .filter_map(|(&element, ends)| match element {
+            Element::Body(body) => Some((ends.input, body)),
+            Element::Hinge(_) => None,
+        })
+        .collect();
+    for ((index, at), point) in storage.of.points.enumerate().zip(points) {
         match storage.segments.last() {
-            Some((_, last)) if *last == part => {}
+            Some((_, last)) if *last == at.repeat => {}
             _ => {
                 allocator.begin_segment();
-                storage.segments.push((0, part));
+                storage.segments.push((0, at.repeat));
             }
         }
         let mut stored = allocator.point(point, chain.dimension, chain.results);
-        if let Some(Element::Body(body)) = chain.elements.get(index) {
-            stored.changing = allocator.changing(&chain.bodies[*body], chain, numbers);
+        if let Some(&body) = inputs.get(&index) {
+            stored.changing = allocator.changing(&chain.bodies[body], chain, numbers);
         }
         storage.points.push(stored);
         if let Some((count, _)) = storage.segments.last_mut() {

@@ -30,7 +30,7 @@ impl EmitContext<'_> {
 
     /// Returns the layout of one entry for every connection point.
     pub fn points(&self) -> ArrayLayout {
-        layouts::points(self.chain)
+        layouts::points(self.chain, &self.compiled.point_storage.of)
     }
 
     /// Returns the layout of the stored values of all connection points; points without values form no segment.

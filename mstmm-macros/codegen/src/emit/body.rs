@@ -4,6 +4,7 @@ use super::EmitContext;
 use super::arrays::usize_literal;
 use super::const_expr::value_tokens;
 use super::point_access::{self, point_type};
+use crate::ids::PointId;
 use crate::model::{Body, BodyId, NamedPoint, PresentPoints, Value, listed};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -12,8 +13,40 @@ use std::collections::HashSet;
 /// Returns the types of results at bodies with named points.
 pub fn types(cx: &EmitContext) -> TokenStream {
     let mut seen = HashSet::new();
-    let bodies = cx.chain.bodies.iter().filter(|body| !body.points.is_empty());
-    bodies.filter(|body| seen.insert(body.type_name.to_string())).map(|b| of_type(cx, b)).collect()
+    let bodies = cx.chain.bodies.enumerate().filter(|(_, body)| !body.points.is_empty());
+    let first = bodies.filter(|(_, body)| seen.insert(body.result_name.to_string()));
+    first.map(|(_, body)| of_type(cx, body)).collect()
+}
+
+/// How the results at bodies of one type report a named point.
+enum Reported {
+    /// All report its motion.
+    Motion,
+    /// Hinges leave it at all bodies, which report a connection point.
+    Joined,
+    /// Hinges leave it at some bodies: the type of the report is a parameter with this name.
+    Either(Ident),
+}
+
+/// Returns how the named points of a body's type are reported.
+fn reported(cx: &EmitContext, body: &Body) -> Vec<Reported> {
+    let same = |other: &Body| other.result_name == body.result_name;
+    let bodies: Vec<BodyId> =
+        cx.chain.bodies.enumerate().filter(|(_, it)| same(it)).map(|(id, _)| id).collect();
+    let point = |index: usize| {
+        let is_joined = |&&body: &&BodyId| joined(cx, body, index).is_some();
+        match bodies.iter().filter(is_joined).count() {
+            0 => Reported::Motion,
+            all if all == bodies.len() => Reported::Joined,
+            _ => Reported::Either(format_ident!("P{index}", span = Span::call_site())),
+        }
+    };
+    (0..body.points.len()).map(point).collect()
+}
+
+/// Returns the connection point at a named point, if hinges leave it.
+fn joined(cx: &EmitContext, body: BodyId, point: usize) -> Option<PointId> {
+    cx.compiled.point_storage.of.joined.get(&(body, point)).copied()
 }
 
 /// Returns the type of results at bodies of one type.
@@ -26,28 +59,61 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
         body.type_name, cx.chain.name
     );
     let translations = usize_literal(cx.chain.dimension.translations().len());
-    let (names, fields): (Vec<_>, Vec<_>) =
-        body.points.iter().map(|NamedPoint { name, .. }| (name, field(name))).unzip();
-    let docs = names.iter().map(|name| format!(" Returns the motion of the point `{name}`."));
+    let reports = reported(cx, body);
+    let parameters: Vec<&Ident> = reports
+        .iter()
+        .filter_map(|reported| match reported {
+            Reported::Either(parameter) => Some(parameter),
+            Reported::Motion | Reported::Joined => None,
+        })
+        .collect();
+    let points = body.points.iter().zip(&reports);
+    let fields = points.clone().map(|(named, reported)| {
+        let (field, stored) = (
+            field(&named.name),
+            match reported {
+                Reported::Motion => quote!([T; #translations]),
+                Reported::Joined => quote!(#point),
+                Reported::Either(parameter) => quote!(#parameter),
+            },
+        );
+        quote!(#field: #stored,)
+    });
+    let methods = points.map(|(NamedPoint { name, .. }, reported)| {
+        let field = field(name);
+        let (what, ty, value) = match reported {
+            Reported::Motion => (
+                "motion of",
+                quote!(#mstmm::BodyPoint<#point>),
+                quote!(#mstmm::BodyPoint::new(self.common_.input(), self.#field)),
+            ),
+            Reported::Joined => ("state at", point.clone(), quote!(self.#field)),
+            Reported::Either(parameter) => {
+                ("state at, or the motion of,", quote!(#parameter), quote!(self.#field))
+            }
+        };
+        let doc = format!(" Returns the {what} the point `{name}`.");
+        quote! {
+            #[doc = #doc]
+            #[inline]
+            #visibility fn #name(&self) -> #ty {
+                #value
+            }
+        }
+    });
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug)]
         #[allow(dead_code, non_snake_case, non_camel_case_types)]
-        #visibility struct #name<T> {
+        #visibility struct #name<T #(, #parameters)*> {
             common_: #common,
-            #(#fields: [T; #translations],)*
+            #(#fields)*
         }
         #[allow(dead_code, non_snake_case)]
-        impl<T: #mstmm::Scalar> #name<T> {
-            #(
-                #[doc = #docs]
-                #[inline]
-                #visibility fn #names(&self) -> #mstmm::BodyPoint<#point> {
-                    #mstmm::BodyPoint::new(self.common_.input(), self.#fields)
-                }
-            )*
+        impl<T: #mstmm::Scalar #(, #parameters: ::core::marker::Copy)*> #name<T #(, #parameters)*> {
+            #(#methods)*
         }
-        impl<T: #mstmm::Scalar> ::core::ops::Deref for #name<T> {
+        impl<T: #mstmm::Scalar #(, #parameters)*> ::core::ops::Deref for #name<T #(, #parameters)*> {
             type Target = #common;
             #[inline]
             fn deref(&self) -> &#common {
@@ -69,7 +135,7 @@ fn common(cx: &EmitContext, body: &Body) -> TokenStream {
 }
 
 fn own_name(cx: &EmitContext, body: &Body) -> Ident {
-    format_ident!("{}{}Result", cx.chain.name, body.type_name, span = Span::call_site())
+    format_ident!("{}{}Result", cx.chain.name, body.result_name, span = Span::call_site())
 }
 
 /// Returns the field for a named point.
@@ -78,24 +144,35 @@ fn field(point: &Ident) -> Ident {
 }
 
 /// Returns the type of results at a body.
-pub fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
+pub fn type_of(cx: &EmitContext, index: BodyId) -> TokenStream {
+    let body = &cx.chain.bodies[index];
     if body.points.is_empty() {
         return common(cx, body);
     }
+    let (mstmm, point) = (&cx.mstmm, point_type(cx));
+    let types = reported(cx, body).into_iter().enumerate();
+    let types = types.filter_map(|(number, reported)| match reported {
+        Reported::Motion | Reported::Joined => None,
+        Reported::Either(_) => Some(match joined(cx, index, number) {
+            Some(_) => point.clone(),
+            None => quote!(#mstmm::BodyPoint<#point>),
+        }),
+    });
     let name = own_name(cx, body);
-    quote!(#name<T>)
+    quote!(#name<T #(, #types)*>)
 }
 
 /// Returns the expression for the results at a body whose connection points are bound to `input_` and `output_`; `first` is
-/// the index of its input among all points.
+/// the index of its input among all points, and `at` returns the index of another point.
 pub fn result(
     cx: &EmitContext,
-    (body, route_index): (BodyId, usize),
+    (index, element): (BodyId, usize),
     first: &impl ToTokens,
+    at: impl Fn(PointId) -> TokenStream,
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let body = &cx.chain.bodies[body];
-    let changing = &cx.compiled.point_storage.points[route_index].changing;
+    let body = &cx.chain.bodies[index];
+    let changing = &cx.compiled.point_storage.points[cx.ends(element).input].changing;
     let mut vectors = body.own_points().zip(changing).map(|(position, stored)| match stored {
         Some(stored) => {
             let stored = point_access::literal(stored);
@@ -108,8 +185,23 @@ pub fn result(
     if body.points.is_empty() {
         return common;
     }
-    let (name, fields) = (own_name(cx, body), body.points.iter().map(|point| field(&point.name)));
-    quote!(#name { common_: #common, #(#fields: #vectors,)* })
+    let reports = reported(cx, body);
+    let points = body.points.iter().zip(&reports).enumerate().zip(vectors);
+    let fields = points.map(|((number, (named, reported)), vector)| {
+        let value = match (reported, joined(cx, index, number)) {
+            (Reported::Motion, _) => vector,
+            (Reported::Either(_), None) => quote!(#mstmm::BodyPoint::new(input_, #vector)),
+            (_, Some(point)) => {
+                let at = at(point);
+                quote!(self.point_(#at))
+            }
+            (Reported::Joined, None) => bug!("a body lacks a point that hinges leave"),
+        };
+        let field = field(&named.name);
+        quote!(#field: #value,)
+    });
+    let name = own_name(cx, body);
+    quote!(#name { common_: #common, #(#fields)* })
 }
 
 /// Returns a vector whose entries no parameter changes; an entry that a parameter changes is never read and is zero.

@@ -1,16 +1,14 @@
 //! The docs of a generated chain.
 
-use super::{EmitContext, drawing};
+use super::{EmitContext, drawing, routes};
 use crate::examine::Mobility;
-use crate::model::{
-    Answer, Attachment, Element, Parameter, Results, Role, SolutionMethod, Value, listed,
-};
+use crate::model::{Answer, Element, Parameter, Results, SolutionMethod, Value, listed};
 use crate::program::{Cost, Procedure, SectionCost, by_heading};
 
 /// Returns the overview of a chain: route, picture, elements, degrees of freedom, method and operation counts.
 pub fn chain(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
-    lines.push(format!(" `{}`", route(cx)));
+    lines.extend(routes::written(cx.chain).iter().map(|route| format!(" `{route}`")));
     lines.extend(cx.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
     lines.push(" | element | kind | degrees of freedom |".into());
@@ -96,38 +94,6 @@ fn mobility(cx: &EmitContext) -> Vec<String> {
         ));
     }
     lines
-}
-
-/// Returns the route as written, without arguments.
-fn route(cx: &EmitContext) -> String {
-    let chain = cx.chain;
-    let end = |attachment: &Attachment| match attachment {
-        Attachment::Ground(_) => Some("ground".to_owned()),
-        Attachment::Input(body) | Attachment::Output(body) | Attachment::Point(body, _) => {
-            let body = &chain.bodies[*body];
-            (body.role == Role::MovingEnd).then(|| format!("moving {}", body.name))
-        }
-    };
-    let hinge = |element: Option<&Element>| match element {
-        Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
-        Some(Element::Body(_)) | None => None,
-    };
-    let start =
-        hinge(chain.elements.first()).and_then(|hinge| end(chain.before_boundary(&hinge.inboard)));
-    let finish = hinge(chain.elements.last()).and_then(|hinge| end(&hinge.outboard));
-    let elements = chain.elements.iter().enumerate().map(|(route_index, element)| {
-        let name = match *element {
-            Element::Body(index) => chain.bodies[index].name.to_string(),
-            Element::Hinge(index) => {
-                format!("{} {}", chain.hinges[index].kind.spec().word, chain.hinges[index].name)
-            }
-        };
-        let begins = chain.repeats.iter().find(|repeat| repeat.elements.start == route_index);
-        let ends = chain.repeats.iter().any(|repeat| repeat.elements.end == route_index + 1);
-        let begin = begins.map_or(String::new(), |repeat| format!("repeat {} {{ ", repeat.count));
-        format!("{begin}{name}{}", if ends { " }" } else { "" })
-    });
-    start.into_iter().chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
 }
 
 fn row(cx: &EmitContext, element: Element) -> String {

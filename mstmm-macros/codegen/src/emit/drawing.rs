@@ -2,7 +2,8 @@
 
 use super::gravity;
 use crate::examine::Drawing;
-use crate::model::{Attachment, Dimension, Element, Hinge, HingeKind};
+use crate::ids::PointId;
+use crate::model::{Attachment, Dimension, Element, ElementPoints, Hinge, HingeKind, Role};
 
 /// The longer side of the drawing without margins, in pixels.
 const SIZE: f64 = 400.0;
@@ -39,11 +40,11 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     lines.extend(triad(drawing.chain.dimension, &camera));
     let elements = drawing.chain.elements.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
-    lines.extend(bodies.map(|(route_index, _)| body(drawing, &camera, route_index)));
+    lines.extend(bodies.map(|(number, _)| body(drawing, &camera, number)));
     lines.extend(ends(drawing, &camera));
-    lines.extend(elements.filter_map(|(route_index, element)| match element {
+    lines.extend(elements.filter_map(|(number, element)| match element {
         Element::Hinge(index) => {
-            Some(hinge(drawing, &camera, route_index, &drawing.chain.hinges[*index]))
+            Some(hinge(drawing, &camera, number, &drawing.chain.hinges[*index]))
         }
         Element::Body(_) => None,
     }));
@@ -124,13 +125,34 @@ fn triad(dimension: Dimension, camera: &Camera) -> Vec<String> {
     dimension.translations().iter().map(arrow).collect()
 }
 
-/// Draws a body: a bar from its input to its output, and a dot at its centre of mass.
-fn body(drawing: &Drawing, camera: &Camera, route_index: usize) -> String {
-    let [input, output] =
-        [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
-    let centre = camera.project(&drawing.centres[route_index]);
+/// Returns input and output of an element in the picture.
+fn ends_of(drawing: &Drawing, camera: &Camera, element: usize) -> [[f64; 2]; 2] {
+    let ElementPoints { input, output, .. } = drawing.of.elements[element];
+    [input, output].map(|end| camera.project(&drawing.points[end]))
+}
+
+/// Draws a body: bars from its input to its output and to the named points that hinges leave, and a dot at its centre of
+/// mass.
+fn body(drawing: &Drawing, camera: &Camera, element: usize) -> String {
+    let [input, output] = ends_of(drawing, camera, element);
+    let centre = camera.project(&drawing.centres[element]);
+    let Element::Body(index) = drawing.chain.elements[element] else {
+        bug!("element {element} is no body")
+    };
+    let joined = (0..drawing.chain.bodies[index].points.len())
+        .filter_map(|point| drawing.of.joined.get(&(index, point)));
+    let bars: String = joined
+        .map(|&point| {
+            let point = camera.project(&drawing.points[point]);
+            format!(
+                " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>",
+                text(input),
+                text(point)
+            )
+        })
+        .collect();
     format!(
-        " <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
+        "{bars} <path d=\"M{}L{}\" stroke=\"{BLUE}\" stroke-width=\"7\" stroke-opacity=\"0.45\"/>\
          <path d=\"M{}L{}L{}\" fill=\"none\" stroke=\"{BLUE}\" stroke-width=\"1\"/>\
          <circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\" fill=\"{BLUE}\"/>",
         text(input),
@@ -143,38 +165,41 @@ fn body(drawing: &Drawing, camera: &Camera, route_index: usize) -> String {
     )
 }
 
-/// Draws the attachment of the chain's ends: hatching for the ground, dashed for a moving end.
+/// Draws the attachments of hinges to the ground, hatched, and to moving ends, dashed.
 fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
     let chain = &drawing.chain;
-    let hinge = |element: Option<&Element>| match element {
-        Some(Element::Hinge(index)) => Some(&chain.hinges[*index]),
-        Some(Element::Body(_)) | None => None,
+    let is_moving = |attachment: &Attachment| {
+        attachment.body().is_some_and(|body| chain.bodies[body].role == Role::MovingEnd)
     };
-    let first = hinge(chain.elements.first()).map(|hinge| (&hinge.inboard, 0));
-    let last = hinge(chain.elements.last()).map(|hinge| (&hinge.outboard, chain.elements.len()));
-    let end = |(attachment, point): (&Attachment, usize)| {
+    let elements = chain.elements.iter().zip(&drawing.of.elements);
+    let sides = elements.filter_map(|(element, ends)| match *element {
+        Element::Hinge(index) => {
+            let Hinge { inboard, outboard, .. } = &chain.hinges[index];
+            Some([(inboard, ends.input), (outboard, ends.output)])
+        }
+        Element::Body(_) => None,
+    });
+    let end = |(attachment, point): (&Attachment, PointId)| {
         let [x, y] = camera.project(&drawing.points[point]);
         let dashes = match attachment {
             Attachment::Ground(_) => "",
-            Attachment::Input(_) | Attachment::Output(_) | Attachment::Point(..) => {
-                " stroke-dasharray=\"3 3\""
-            }
+            moving if is_moving(moving) => " stroke-dasharray=\"3 3\"",
+            _ => return None,
         };
-        format!(
+        Some(format!(
             " <path d=\"M{:.1} {:.1}h28m-26 7l5 -7m2 7l5 -7m2 7l5 -7\" fill=\"none\" \
              stroke=\"currentColor\"{dashes}/>",
             x - 14.0,
             y + 9.0
-        )
+        ))
     };
-    first.into_iter().chain(last).map(end).collect()
+    sides.flatten().filter_map(end).collect()
 }
 
 /// Draws a hinge: a line between its frames, and a symbol for its degrees of freedom: a ring for rotations about axes, a
 /// disc for a ball, a box if it translates, a cross for a weld.
-fn hinge(drawing: &Drawing, camera: &Camera, route_index: usize, hinge: &Hinge) -> String {
-    let [inboard, outboard] =
-        [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
+fn hinge(drawing: &Drawing, camera: &Camera, element: usize, hinge: &Hinge) -> String {
+    let [inboard, outboard] = ends_of(drawing, camera, element);
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
@@ -231,16 +256,16 @@ impl Label {
 
 /// Returns the labels: those of bodies near their middle, those of hinges near their symbol.
 fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
-    let name = |(route_index, element): (usize, &Element)| {
-        let [a, b] = [route_index, route_index + 1].map(|end| camera.project(&drawing.points[end]));
+    let name = |(number, element): (usize, &Element)| {
+        let [a, b] = ends_of(drawing, camera, number);
         match *element {
             Element::Body(index) => Label {
-                text: drawing.chain.bodies[index].name.to_string(),
+                text: drawing.chain.bodies[index].path.clone(),
                 at: [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0],
                 is_body: true,
             },
             Element::Hinge(index) => Label {
-                text: drawing.chain.hinges[index].name.to_string(),
+                text: drawing.chain.hinges[index].path.clone(),
                 at: [a[0] + 8.0, a[1] - 8.0],
                 is_body: false,
             },

@@ -2,10 +2,11 @@
 
 use super::arrays::usize_literal;
 use super::names::{accessor_mut, helper};
-use super::point_access::point_type;
+use super::point_access::{PointIndex, point_type};
 use super::quaternions;
 use super::{EmitContext, body};
-use crate::model::{BodyId, HingeId, ViewArgument};
+use crate::ids::PointId;
+use crate::model::{BodyId, ElementPoints, HingeId, ViewArgument};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -199,24 +200,20 @@ pub fn single_accessors(
     }
 }
 
-/// Returns the index of an element's input point among all points in the first repetition, and the number of points from one
-/// repetition to the next.
-pub fn points_of(cx: &EmitContext, route_index: usize) -> (usize, usize) {
-    let layout = cx.points();
-    let segment = layout.segment_of(route_index + 1);
-    (segment.offset + route_index - segment.first, segment.count)
-}
-
 /// Returns the method for the results of a repeated body.
-pub fn body(cx: &EmitContext, (index, route_index): (BodyId, usize), count: usize) -> TokenStream {
+pub fn body(cx: &EmitContext, (index, element): (BodyId, usize), count: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let contents = body::contents(body);
     let doc = format!(
         " Returns the results at body `{name}` in repetition `index` of {count}: {contents}."
     );
-    let (ends, ty) = (ends(cx, route_index, count), body::type_of(cx, body));
-    let result = body::result(cx, (index, route_index), &quote!(first_));
+    let (ends, ty) = (ends(cx, element, count), body::type_of(cx, index));
+    let at = |point: PointId| {
+        let PointIndex { first, stride, .. } = cx.point_index(point);
+        affine(first, stride)
+    };
+    let result = body::result(cx, (index, element), &quote!(first_), at);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -231,11 +228,7 @@ pub fn body(cx: &EmitContext, (index, route_index): (BodyId, usize), count: usiz
 }
 
 /// Returns the method for the results of a repeated hinge.
-pub fn hinge(
-    cx: &EmitContext,
-    (index, route_index): (HingeId, usize),
-    count: usize,
-) -> TokenStream {
+pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.chain.hinges[index].name;
     let (visibility, point) = (&cx.passthrough.visibility, point_type(cx));
@@ -267,7 +260,7 @@ pub fn hinge(
     let doc = format!(
         " Returns acceleration, effort, input and output of hinge `{name}` in repetition `index` of {count}."
     );
-    let ends = ends(cx, route_index, count);
+    let ends = ends(cx, element, count);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -282,15 +275,42 @@ pub fn hinge(
     }
 }
 
-/// Returns statements that bind `input` and `output` of a repeated element.
-fn ends(cx: &EmitContext, route_index: usize, count: usize) -> TokenStream {
-    let (first, stride) = points_of(cx, route_index);
-    let [first, stride, count] = [first, stride, count].map(usize_literal);
+/// Returns statements that bind `input` and `output` of a repeated element, and the index of its input.
+fn ends(cx: &EmitContext, element: usize, count: usize) -> TokenStream {
+    let ElementPoints { input, previous, output } = cx.ends(element);
+    let [input, output] = [input, output].map(|point| cx.point_index(point));
+    let first = match previous.map(|point| cx.point_index(point)) {
+        None => affine(input.first, input.stride),
+        Some(previous) if input.last + previous.stride == previous.first => {
+            affine(input.last, previous.stride)
+        }
+        Some(previous) => {
+            let [first, later, stride] =
+                [input.last, previous.first, previous.stride].map(usize_literal);
+            quote!(if index_ == 0 { #first } else { #later + (index_ - 1) * #stride })
+        }
+    };
+    let follows = previous.map_or(input.first, |_| input.last) + 1 == output.first;
+    let uniform = previous.is_none_or(|point| {
+        let previous = cx.point_index(point);
+        input.last + previous.stride == previous.first
+    });
+    let out = match follows && uniform {
+        true => quote!(first_ + 1),
+        false => affine(output.first, output.stride),
+    };
+    let count = usize_literal(count);
     quote! {
         if index_ >= #count {
             return ::core::option::Option::None;
         }
-        let first_ = #first + index_ * #stride;
-        let (input_, output_) = (self.point_(first_), self.point_(first_ + 1));
+        let first_ = #first;
+        let (input_, output_) = (self.point_(first_), self.point_(#out));
     }
+}
+
+/// Returns the expression for an index in the repetition `index_`.
+fn affine(first: usize, stride: usize) -> TokenStream {
+    let [first, stride] = [first, stride].map(usize_literal);
+    quote!(#first + index_ * #stride)
 }

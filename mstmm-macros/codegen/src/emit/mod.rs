@@ -26,6 +26,7 @@ mod point_access;
 mod printer;
 mod procedure;
 mod quaternions;
+mod routes;
 mod sealed;
 mod spring;
 mod state;

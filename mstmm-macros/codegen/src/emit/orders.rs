@@ -62,10 +62,19 @@ fn indices(layout: &ArrayLayout, range: &Range<usize>) -> Option<String> {
 
 /// Returns the order of the connection points.
 pub fn of_points(cx: &EmitContext) -> Vec<String> {
-    let mut lines = vec![
-        " Returns all connection points in the order of the route: the input of the first element, then the".into(),
-        " output of every element, which is the input of the next element.".into(),
-    ];
+    let mut lines: Vec<String> = vec![];
+    if is_chain(cx) {
+        lines.extend([
+            " Returns all connection points in the order of the route: the input of the first element, then the".into(),
+            " output of every element, which is the input of the next element.".into(),
+        ]);
+    } else {
+        lines.extend([
+            " Returns all connection points in the order of the text: of each element its input, if no earlier element".into(),
+            " has this point, and its output; after the output of a body those of its named points that hinges leave.".into(),
+            " A hinge that leaves a place with other hinges, or the input of a body, has an input of its own.".into(),
+        ]);
+    }
     if !cx.chain.repeats.is_empty() {
         lines.extend([
             " A repeated part is in the order of its repetitions: the outputs of all its elements of the first".into(),
@@ -73,4 +82,10 @@ pub fn of_points(cx: &EmitContext) -> Vec<String> {
         ]);
     }
     lines
+}
+
+/// Returns whether each point but the first is the output of the next element.
+fn is_chain(cx: &EmitContext) -> bool {
+    let outputs = cx.compiled.point_storage.of.elements.iter().map(|ends| ends.output.index());
+    outputs.eq(1..cx.compiled.point_storage.of.points.len())
 }

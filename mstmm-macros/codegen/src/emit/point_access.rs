@@ -3,7 +3,8 @@
 use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::compile::{StoredFramedVector, StoredPoint, StoredVector};
-use crate::model::{Dimension, Results};
+use crate::ids::PointId;
+use crate::model::{Dimension, ElementPoints, Results};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -74,6 +75,33 @@ fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
             }
         }
     })
+}
+
+/// The index of a connection point among all points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointIndex {
+    /// Its index, in a repeated part that in the first repetition.
+    pub first: usize,
+    /// The number of points from one repetition to the next; zero outside of repeated parts.
+    pub stride: usize,
+    /// Its index in the last repetition.
+    pub last: usize,
+}
+
+impl EmitContext<'_> {
+    /// Returns the points of an element.
+    pub fn ends(&self, element: usize) -> ElementPoints {
+        self.compiled.point_storage.of.elements[element]
+    }
+
+    /// Returns the index of a point.
+    pub fn point_index(&self, point: PointId) -> PointIndex {
+        let layout = self.points();
+        let segment = layout.segment_of(point.index());
+        let first = segment.offset + point.index() - segment.first;
+        let stride = if segment.repeat.is_some() { segment.count } else { 0 };
+        PointIndex { first, stride, last: first + stride * (segment.repetitions - 1) }
+    }
 }
 
 /// Returns the expression for all points.

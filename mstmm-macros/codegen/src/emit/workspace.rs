@@ -6,9 +6,10 @@ use super::{
     EmitContext, body, docs, indexed_access, initial_values, orders, point_access, spring,
 };
 use crate::compile::outputs;
-use crate::model::{BodyId, Element, Hinge, HingeId};
+use crate::ids::PointId;
+use crate::model::{BodyId, Element, ElementPoints, Hinge, HingeId};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 use std::ops::Range;
 
 /// Returns `struct ChainWorkspace<T>` and its constructor.
@@ -50,17 +51,16 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let spring::SpringItems { field: springs_field, zero: springs_zero, methods: springs } =
         spring::items(cx);
     let (text, body_types) = (name.to_string(), body::types(cx));
-    let elements =
-        cx.chain.elements.iter().enumerate().map(|(route_index, element)| match *element {
-            Element::Body(index) => match cx.chain.repetitions(*element) {
-                _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, route_index),
-                count => indexed_access::body(cx, (index, route_index), count),
-            },
-            Element::Hinge(index) => match cx.chain.repetitions(*element) {
-                _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, route_index),
-                count => indexed_access::hinge(cx, (index, route_index), count),
-            },
-        });
+    let elements = cx.chain.elements.iter().enumerate().map(|(number, element)| match *element {
+        Element::Body(index) => match cx.chain.repetitions(*element) {
+            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, number),
+            count => indexed_access::body(cx, (index, number), count),
+        },
+        Element::Hinge(index) => match cx.chain.repetitions(*element) {
+            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, number),
+            count => indexed_access::hinge(cx, (index, number), count),
+        },
+    });
     quote! {
         #[doc = #doc]
         #[derive(Clone, PartialEq)]
@@ -221,13 +221,13 @@ fn closure(cx: &EmitContext) -> ClosureItems {
     }
 }
 
-fn body(cx: &EmitContext, index: BodyId, route_index: usize) -> TokenStream {
+fn body(cx: &EmitContext, index: BodyId, element: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
     let doc = format!(" Returns the results at body `{name}`: {}.", body::contents(body));
-    let (first, _) = indexed_access::points_of(cx, route_index);
-    let (ends, ty) = (ends(cx, route_index), body::type_of(cx, body));
-    let result = body::result(cx, (index, route_index), &usize_literal(first));
+    let (ends, ty) = (ends(cx, element), body::type_of(cx, index));
+    let at = |point: PointId| usize_literal(cx.point_index(point).last).to_token_stream();
+    let result = body::result(cx, (index, element), &at(cx.ends(element).input), at);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -238,7 +238,7 @@ fn body(cx: &EmitContext, index: BodyId, route_index: usize) -> TokenStream {
     }
 }
 
-fn hinge(cx: &EmitContext, index: HingeId, route_index: usize) -> TokenStream {
+fn hinge(cx: &EmitContext, index: HingeId, element: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let Hinge { name, kind, .. } = &cx.chain.hinges[index];
     let visibility = &cx.passthrough.visibility;
@@ -251,7 +251,7 @@ fn hinge(cx: &EmitContext, index: HingeId, route_index: usize) -> TokenStream {
     };
     let (acceleration, effort) = (of(&cx.rate_accelerations()), of(&format_ident!("efforts")));
     let doc = format!(" Returns acceleration, effort, input and output of hinge `{name}`.");
-    let (ends, point) = (ends(cx, route_index), point_type(cx));
+    let (ends, point) = (ends(cx, element), point_type(cx));
     quote! {
         #[doc = #doc]
         #[inline]
@@ -262,10 +262,10 @@ fn hinge(cx: &EmitContext, index: HingeId, route_index: usize) -> TokenStream {
     }
 }
 
-/// Returns a statement that binds `input` and `output` of the element at `route_index` on the route.
-fn ends(cx: &EmitContext, route_index: usize) -> TokenStream {
-    let (first, _) = indexed_access::points_of(cx, route_index);
-    let [input, output] = [first, first + 1].map(usize_literal);
+/// Returns a statement that binds `input` and `output` of an element.
+fn ends(cx: &EmitContext, element: usize) -> TokenStream {
+    let ElementPoints { input, output, .. } = cx.ends(element);
+    let [input, output] = [input, output].map(|point| usize_literal(cx.point_index(point).last));
     quote!(let (input_, output_) = (self.point_(#input), self.point_(#output));)
 }
 

@@ -41,10 +41,10 @@ mod reflection;
 mod symbol_values;
 
 mod base_parameters;
-mod connection_points;
 mod eval_context;
 mod hinge_wrenches;
 mod motion_problem;
+mod point_reader;
 mod report;
 mod riccati;
 mod springs;
@@ -62,10 +62,11 @@ pub use forward_dynamics::{
 pub use inverse_dynamics::bias_efforts;
 pub use kinematics::{LinkKinematics, kinematics};
 pub use motion_problem::HingePivot;
+pub use point_reader::{FramedVector, PointState};
 pub use projection::{Projection, displace, project};
-pub use report::{FramedVector, PointState, Report, report};
+pub use report::{Report, report};
 pub use springs::{SpringReport, spring_report};
 pub use strategy::{AXES, Axes};
-pub use sweep::{LinkTree, LoopHook};
+pub use sweep::{Channel, LinkTree, LoopHook};
 pub use symbol_values::SymbolValues;
 pub use trace::{Trace, TraceSection};

@@ -4,59 +4,21 @@
 //! Poses are in the inertial frame. Other vectors stay in the axes of links, where the sweeps
 //! compute them. They are rotated to inertial axes when they are read.
 
-use super::connection_points::{ConnectionPoint, connection_points};
 use super::hinge_wrenches::WrenchSum;
-use super::kinematics::{HingeKinematics, LinkKinematics, Pose, link_of, poses};
+use super::kinematics::{LinkKinematics, Pose, poses};
 use super::loads::loads;
 use super::loop_hinge::{LoopHinge, loop_hinge};
+use super::point_reader::{HingeWrench, PointReader, PointState};
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, kinematics};
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Dimension, HingeId, LinkId};
-
-/// A vector with the axes of its components.
-#[derive(Clone, Copy, Debug)]
-pub struct FramedVector<S> {
-    /// Rotation from these axes to inertial axes.
-    pub axes: Mat3<S>,
-    /// The components.
-    pub vector: Vec3<S>,
-}
-
-impl<S: Scalar> FramedVector<S> {
-    /// Returns the components in inertial axes.
-    pub fn inertial(&self) -> Vec3<S> {
-        self.axes * self.vector
-    }
-}
-
-/// The state at a connection point.
-#[derive(Clone, Copy, Debug)]
-pub struct PointState<S> {
-    /// Its position in m, inertial frame.
-    pub position: Vec3<S>,
-    /// Rotation from the axes of its frame to inertial axes.
-    pub rotation: Mat3<S>,
-    /// Its velocity in m/s.
-    pub velocity: FramedVector<S>,
-    /// The angular velocity `Ω` of its frame in rad/s.
-    pub omega: FramedVector<S>,
-    /// Its proper acceleration in m/s²: `r̈` minus gravity.
-    pub proper_acceleration: FramedVector<S>,
-    /// The angular acceleration `Ω̇` in rad/s².
-    pub angular_acceleration: FramedVector<S>,
-    /// The internal moment `m` in N m, with the signs of [P, Sect. 2.1].
-    pub moment: FramedVector<S>,
-    /// The internal force `q` in N.
-    pub force: FramedVector<S>,
-}
+use crate::model::{HingeId, LinkId};
 
 /// The results other than the accelerations of the free rates.
 #[derive(Clone, Debug)]
 pub struct Report<S> {
-    /// All connection points in route order: the input of the first element, then the outputs of
-    /// all elements. There is one point more than elements.
+    /// All connection points, in the order of [`crate::model::ConnectionPoints`].
     pub points: Vec<PointState<S>>,
     /// The proper acceleration of a point at rest, inertial frame: to be subtracted from that of
     /// other points.
@@ -104,7 +66,7 @@ pub fn report<S: Scalar>(
         hinges: &hinges,
     };
     let points: Vec<PointState<S>> =
-        connection_points(context).iter().map(|at| reader.point(at)).collect();
+        context.chain.connection_points().points.iter().map(|at| reader.point(at)).collect();
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
@@ -217,62 +179,6 @@ fn wrenches<S: Scalar>(
     context.tree.inward(sums, WrenchSum(None), step).0
 }
 
-/// A hinge with the wrench in it.
-struct HingeWrench<S> {
-    hinge: HingeKinematics<S>,
-    /// The link whose work axes the first two wrenches are in; `None` for inertial axes.
-    axes: Option<LinkId>,
-    /// Exerted by the inboard side on the outboard side, about the origin of the outboard side.
-    at_outboard: Wrench<S>,
-    /// Exerted by the inboard side on the outboard side, about the origin of the inboard side.
-    at_inboard: Wrench<S>,
-    /// Exerted on the child, about its point, in the hinge's work axes.
-    on_child: Wrench<S>,
-    /// The outboard link, if both sides of the hinge are one point that is also the link's point.
-    concentric_link: Option<LinkId>,
-}
-
-impl<S: Scalar> HingeWrench<S> {
-    /// Returns the wrench in a link's hinge. At the boundary of a repeated part, the axes inboard
-    /// of the hinge are used, since those outboard of it belong to another repetition.
-    fn across(
-        context: &EvalContext<S>,
-        index: LinkId,
-        link: &LinkKinematics<S>,
-        on_child: Wrench<S>,
-    ) -> Self {
-        let (layout, hinge) = (&context.layout.links[index], link.hinge.clone());
-        let (axes, at_child, offset) = match layout.boundary {
-            Some(_) => (link.parent, on_child.rotated(&hinge.to_parent), hinge.offset),
-            None => (Some(index), on_child, hinge.to_parent.rotate_back(hinge.offset)),
-        };
-        let at_parent = at_child.shifted_from(offset);
-        let (at_outboard, at_inboard) = if layout.reversed {
-            (at_parent.reversed(), at_child.reversed())
-        } else {
-            (at_child, at_parent)
-        };
-        let concentric_link = (layout.boundary.is_none() && hinge.is_concentric()).then_some(index);
-        HingeWrench { hinge, axes, at_outboard, at_inboard, on_child, concentric_link }
-    }
-
-    /// Returns the wrench in the loop hinge, from the wrench on its outboard side in its parent's
-    /// axes.
-    fn loop_hinge(loop_hinge: &LoopHinge<S>, wrench: Wrench<S>) -> Self {
-        let hinge = loop_hinge.hinge.clone();
-        let at_inboard = wrench.shifted_from(hinge.offset);
-        let on_child = wrench.rotated_back(&hinge.to_parent);
-        HingeWrench {
-            hinge,
-            axes: loop_hinge.parent,
-            at_outboard: wrench,
-            at_inboard,
-            on_child,
-            concentric_link: None,
-        }
-    }
-}
-
 /// Returns the efforts along all rates. For a prescribed motion the effort is `Sᵀ F`, plus the
 /// effort of rotors, minus the efforts of passive elements.
 fn hinge_efforts<S: Scalar>(
@@ -296,97 +202,4 @@ fn hinge_efforts<S: Scalar>(
             .collect()
     };
     hinges.enumerate().flat_map(efforts).collect()
-}
-
-/// The data that the states of connection points are read from.
-struct PointReader<'a, S> {
-    context: &'a EvalContext<'a, S>,
-    links: &'a PerLink<LinkKinematics<S>>,
-    poses: &'a PerLink<Pose<S>>,
-    proper_acceleration: &'a PerLink<Motion<S>>,
-    hinges: &'a IdVec<HingeId, Option<HingeWrench<S>>>,
-}
-
-impl<S: Scalar> PointReader<'_, S> {
-    fn point(&self, at: &ConnectionPoint) -> PointState<S> {
-        let (part, origin, rotation) = self.context.frame_of(&at.attachment);
-        let (force, moment) = self.force_and_moment(at);
-        let Some(index) = link_of(part) else {
-            let none = self.framed(None, Vec3::zero());
-            return PointState {
-                position: origin,
-                rotation,
-                velocity: none,
-                omega: none,
-                proper_acceleration: self.framed(None, self.context.base_acceleration().linear),
-                angular_acceleration: none,
-                moment,
-                force,
-            };
-        };
-        let (link, pose) = (&self.links[index], &self.poses[index]);
-        let arm = link.part_to_work * (origin - link.point);
-        let (velocity, proper_acceleration) = self.velocity_and_acceleration(at, index, arm);
-        PointState {
-            position: pose.position + pose.to_inertial * arm,
-            rotation: pose.to_inertial * (link.part_to_work * rotation),
-            velocity,
-            omega: self.framed(Some(index), link.omega),
-            proper_acceleration,
-            angular_acceleration: self.framed(Some(index), self.proper_acceleration[index].angular),
-            moment,
-            force,
-        }
-    }
-
-    /// Returns velocity and proper acceleration of a point on a link. If the point of another link
-    /// coincides with it, the known values of that link are returned.
-    fn velocity_and_acceleration(
-        &self,
-        at: &ConnectionPoint,
-        index: LinkId,
-        arm: Vec3<S>,
-    ) -> (FramedVector<S>, FramedVector<S>) {
-        let concentric_link =
-            at.hinge.and_then(|(hinge, _)| self.hinges[hinge].as_ref()?.concentric_link);
-        if let Some(other) = concentric_link {
-            let (velocity, proper_acceleration) =
-                (self.poses[other].velocity, self.proper_acceleration[other].linear);
-            return (
-                self.framed(Some(other), velocity),
-                self.framed(Some(other), proper_acceleration),
-            );
-        }
-        let (link, pose) = (&self.links[index], &self.poses[index]);
-        let velocity = pose.velocity + link.omega.cross(arm);
-        let proper_acceleration = self.proper_acceleration[index].shifted_to(arm).linear
-            + arm.centripetal_by_products(link.omega);
-        (self.framed(Some(index), velocity), self.framed(Some(index), proper_acceleration))
-    }
-
-    /// Returns `q` and `m` at a point: on a body `+q` and `−m` at its input, `−q` and `+m` at its
-    /// output.
-    fn force_and_moment(&self, at: &ConnectionPoint) -> (FramedVector<S>, FramedVector<S>) {
-        let through = |(index, outboard): (HingeId, bool)| {
-            let Some(hinge) = &self.hinges[index] else { bug!("a hinge transmits nothing") };
-            (hinge.axes, if outboard { hinge.at_outboard } else { hinge.at_inboard })
-        };
-        let at_free_end = (None, Wrench::zero());
-        let (axes, wrench) = at.hinge.map_or(at_free_end, through);
-        (self.framed(axes, wrench.force), self.framed(axes, -wrench.moment))
-    }
-
-    /// Returns a vector in the work axes of a link or in inertial axes. In a plane or on a line it
-    /// is in the axes of the part's frame, since work axes may be perpendicular to these.
-    fn framed(&self, link: Option<LinkId>, vector: Vec3<S>) -> FramedVector<S> {
-        let Some(index) = link else { return FramedVector { axes: Mat3::identity(), vector } };
-        let (axes, part_to_work) = (self.poses[index].to_inertial, self.links[index].part_to_work);
-        match self.context.chain.dimension {
-            Dimension::Space => FramedVector { axes, vector },
-            Dimension::Plane | Dimension::Line => FramedVector {
-                axes: axes * part_to_work,
-                vector: part_to_work.transposed() * vector,
-            },
-        }
-    }
 }

@@ -10,7 +10,7 @@
 
 use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Layout, LinkId, RepeatBoundary, RepeatId};
+use crate::model::{ChannelId, Layout, LinkId, RepeatBoundary, RepeatId};
 use std::fmt::Debug;
 
 /// One entry for each link.
@@ -20,10 +20,13 @@ pub type PerLink<T> = IdVec<LinkId, T>;
 pub trait LoopHook<S>: Debug {
     /// Returns the values that any repetition starts with, from the values that the first starts
     /// with.
-    fn enter(&self, repeat: RepeatId, inwards: bool, first: &[S]) -> Vec<S>;
+    fn enter(&self, channel: Channel, inwards: bool, first: &[S]) -> Vec<S>;
     /// Returns the values after the last repetition, from the values after any repetition.
-    fn leave(&self, repeat: RepeatId, any: &[S]) -> Vec<S>;
+    fn leave(&self, channel: Channel, any: &[S]) -> Vec<S>;
 }
+
+/// A channel of a repeated part.
+pub type Channel = (RepeatId, ChannelId);
 
 /// A set of values that a sweep carries from link to link.
 pub trait Flatten<S>: Clone {
@@ -164,7 +167,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
     /// Returns the values on the other side of a link, which differ at the boundary of a repeated
     /// part.
     fn cross<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
-        let (Some(RepeatBoundary { repeat, at_end }), Some(hook)) =
+        let (Some(RepeatBoundary { repeat, channel, at_end }), Some(hook)) =
             (self.layout.links[link].boundary, self.hook)
         else {
             return carried;
@@ -172,9 +175,9 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let inward = direction == SweepDirection::Inward;
         let hook = |values: &[S]| {
             if at_end == inward {
-                hook.enter(repeat, inward, values)
+                hook.enter((repeat, channel), inward, values)
             } else {
-                hook.leave(repeat, values)
+                hook.leave((repeat, channel), values)
             }
         };
         replaced(carried, hook)
@@ -191,11 +194,14 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         step: impl FnOnce(B) -> (B, R),
     ) -> (B, R) {
         let Some(hook) = self.hook else { return step(first) };
-        let start = replaced(first, |values| hook.enter(repeat, inward, values));
+        let start = replaced(first, |values| hook.enter((repeat, APART), inward, values));
         let (next, result) = step(start);
-        (replaced(next, |values| hook.leave(repeat, values)), result)
+        (replaced(next, |values| hook.leave((repeat, APART), values)), result)
     }
 }
+
+/// The channel of values that no link carries.
+const APART: ChannelId = ChannelId(usize::MAX);
 
 /// Returns a set with all its values replaced. Without values no loop is needed.
 fn replaced<S: Scalar, B: Flatten<S>>(set: B, replace: impl FnOnce(&[S]) -> Vec<S>) -> B {
@@ -283,8 +289,8 @@ impl<S: Scalar> Flatten<S> for SpatialInertia<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LinkTree, LoopHook, PerLink};
-    use crate::model::{Layout, LinkId, RepeatId};
+    use super::{Channel, LinkTree, LoopHook, PerLink};
+    use crate::model::{Layout, LinkId};
     use std::cell::RefCell;
 
     /// Records what crosses boundaries. `enter` adds 100, `leave` adds 1000.
@@ -292,11 +298,11 @@ mod tests {
     struct Loops(RefCell<Vec<(&'static str, bool, f64)>>);
 
     impl LoopHook<f64> for Loops {
-        fn enter(&self, _: RepeatId, inwards: bool, first: &[f64]) -> Vec<f64> {
+        fn enter(&self, _: Channel, inwards: bool, first: &[f64]) -> Vec<f64> {
             self.0.borrow_mut().push(("enter", inwards, first[0]));
             vec![first[0] + 100.0]
         }
-        fn leave(&self, _: RepeatId, any: &[f64]) -> Vec<f64> {
+        fn leave(&self, _: Channel, any: &[f64]) -> Vec<f64> {
             self.0.borrow_mut().push(("leave", false, any[0]));
             vec![any[0] + 1000.0]
         }

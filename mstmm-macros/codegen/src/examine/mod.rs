@@ -4,9 +4,13 @@
 mod dry_run;
 
 use crate::diag::Diagnostics;
-use crate::equations::{self, LoopReaction, PointState, SymbolValues, Trace};
+use crate::equations::{self, LoopReaction, SymbolValues, Trace};
+use crate::ids::{IdVec, PointId};
 use crate::math::{PIVOT_ULPS, Vec3};
-use crate::model::{Chain, ClosureRank, Drive, Element, Hinge, HingeId, Role, Source};
+use crate::model::{
+    Chain, ClosureRank, ConnectionPoints, Drive, Element, ElementPoints, Hinge, HingeId, Role,
+    Source,
+};
 use dry_run::{Configuration, DryRun, Number, values};
 use proc_macro2::Ident;
 
@@ -57,8 +61,10 @@ pub struct Mobility {
 pub struct Drawing {
     /// The chain, its repeated parts written out or shortened.
     pub chain: Chain,
-    /// Positions of the first element's input, then of the outputs of all elements, in m.
-    pub points: Vec<[f64; 3]>,
+    /// Positions of all connection points in m.
+    pub points: IdVec<PointId, [f64; 3]>,
+    /// The connection points.
+    pub of: ConnectionPoints,
     /// Positions of the elements' centres of mass in m; for hinges, of their inputs.
     pub centres: Vec<[f64; 3]>,
     /// The axis closest to the vertical; z without gravity.
@@ -244,16 +250,21 @@ impl DryRun {
         let (solved, swept) = self.swept(&self.values, &pose);
         let report = equations::report(&context, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
-        let centre = |(element, point): (&Element, &PointState<Number>)| match *element {
-            Element::Hinge(_) => position(point.position),
-            Element::Body(body) => {
-                let com = self.values.vector(&self.chain.bodies[body].com);
-                position(point.position + point.rotation * com)
+        let of = self.chain.connection_points();
+        let centre = |(element, ends): (&Element, &ElementPoints)| {
+            let point = &report.points[ends.input.index()];
+            match *element {
+                Element::Hinge(_) => position(point.position),
+                Element::Body(body) => {
+                    let com = self.values.vector(&self.chain.bodies[body].com);
+                    position(point.position + point.rotation * com)
+                }
             }
         };
         Drawing {
             points: report.points.iter().map(|point| position(point.position)).collect(),
-            centres: self.chain.elements.iter().zip(&report.points).map(centre).collect(),
+            centres: self.chain.elements.iter().zip(&of.elements).map(centre).collect(),
+            of,
             up: self.vertical(),
             gravity: self.gravity(),
             chain: self.chain.clone(),

@@ -8,7 +8,7 @@
 //! loop and gets its unknowns, until it ends with other values.
 
 use super::{Carry, Loop};
-use crate::equations::LoopHook;
+use crate::equations::{Channel, LoopHook};
 use crate::expr::{Expr, Graph, Stage};
 use crate::ids::{RepeatId, SymbolId};
 use std::cell::RefCell;
@@ -46,9 +46,9 @@ struct Learned {
     rejected: usize,
 }
 
-/// A sweep over a repeated part.
+/// A sweep over a repeated part, with the values of one channel.
 struct Visit<'g> {
-    repeat: RepeatId,
+    channel: Channel,
     inward: bool,
     /// The values before the first repetition, including known numbers.
     init: Vec<Expr<'g>>,
@@ -62,8 +62,8 @@ struct Visit<'g> {
 
 #[derive(Clone, Copy)]
 enum VisitKind {
-    /// A new loop, by its index.
-    New { index: usize },
+    /// A new loop by its index, or a further channel of one, whose values are carried from `first` on.
+    New { index: usize, first: usize },
     /// The loop of an earlier visit.
     ReuseOf { visit: usize },
 }
@@ -96,7 +96,7 @@ impl<'g> LoopTracer<'g> {
         self.graph.symbol(symbol, Stage::State)
     }
 
-    /// Starts a loop: returns its carries and the values at the start of a repetition.
+    /// Starts a channel of a loop: returns its carries and the values at the start of a repetition.
     fn begin(&self, number: usize, init: &[Expr<'g>]) -> (Vec<Carry>, Vec<Expr<'g>>) {
         let Run { learned, used, .. } = &mut *self.run.borrow_mut();
         let mut carries = Vec::new();
@@ -116,10 +116,15 @@ impl<'g> LoopTracer<'g> {
         (carries, phi)
     }
 
-    /// Ends a loop: returns the values after the last repetition.
-    fn end(&self, visit: usize, index: usize, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    /// Ends a channel of a loop: returns the values after the last repetition.
+    fn end(
+        &self,
+        visit: usize,
+        (index, first): (usize, usize),
+        next: &[Expr<'g>],
+    ) -> Vec<Expr<'g>> {
         let Run { learned, visits, loops, consistent, .. } = &mut *self.run.borrow_mut();
-        let mut carries = loops[index].carries.iter_mut();
+        let mut carries = loops[index].carries.iter_mut().skip(first);
         let inits = visits[visit].init.iter();
         let leave = |((&next, &init), changes): ((&Expr<'g>, &Expr<'g>), &mut bool)| {
             if !*changes {
@@ -139,36 +144,25 @@ impl<'g> LoopTracer<'g> {
 }
 
 impl<'g> LoopHook<Expr<'g>> for LoopTracer<'g> {
-    fn enter(&self, repeat: RepeatId, inward: bool, init: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let (number, earlier) = self.run.borrow_mut().visit((repeat, inward), init);
+    fn enter(&self, channel: Channel, inward: bool, init: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let (number, earlier) = self.run.borrow_mut().visit((channel, inward), init);
         let (kind, phi) = match earlier {
             Some((visit, phi)) => (VisitKind::ReuseOf { visit }, phi),
             None => {
                 let (carries, phi) = self.begin(number, init);
-                let loops = &mut self.run.borrow_mut().loops;
-                loops.push(Loop { repeat, inward, carries });
-                (VisitKind::New { index: loops.len() - 1 }, phi)
+                (self.run.borrow_mut().add_carries((channel.0, inward), carries), phi)
             }
         };
         let (init, start) = (init.to_vec(), phi.clone());
-        let visit = Visit { repeat, inward, init, phi: start, kind, end: None };
+        let visit = Visit { channel, inward, init, phi: start, kind, end: None };
         self.run.borrow_mut().visits.push(visit);
         phi
     }
 
-    fn leave(&self, repeat: RepeatId, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let Some(number) = self.run.borrow_mut().open.pop() else {
-            bug!("a sweep leaves a repeated part that it has not entered")
-        };
-        let (entered, kind) = {
-            let visit = &self.run.borrow().visits[number];
-            (visit.repeat, visit.kind)
-        };
-        if entered != repeat {
-            bug!("a sweep leaves another repeated part than it entered")
-        }
+    fn leave(&self, channel: Channel, next: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let (number, kind) = self.run.borrow_mut().close(channel);
         let exit = match kind {
-            VisitKind::New { index } => self.end(number, index, next),
+            VisitKind::New { index, first } => self.end(number, (index, first), next),
             VisitKind::ReuseOf { visit } => self.run.borrow_mut().end_like(number, visit, next),
         };
         self.run.borrow_mut().visits[number].end = Some((next.to_vec(), exit.clone()));
@@ -181,7 +175,7 @@ impl<'g> Run<'g> {
     /// repetition of that loop.
     fn visit(
         &mut self,
-        part: (RepeatId, bool),
+        part: (Channel, bool),
         init: &[Expr<'g>],
     ) -> (usize, Option<(usize, Vec<Expr<'g>>)>) {
         let number = self.visits.len();
@@ -192,11 +186,42 @@ impl<'g> Run<'g> {
         self.open.push(number);
         let starts_alike = |visit: &Visit<'g>| {
             let is_new = matches!(visit.kind, VisitKind::New { .. }) && visit.end.is_some();
-            is_new && (visit.repeat, visit.inward) == part && same(&visit.init, init)
+            is_new && (visit.channel, visit.inward) == part && same(&visit.init, init)
         };
         let earlier = self.visits.iter().enumerate().filter(|(_, visit)| starts_alike(visit));
         let mut chosen = earlier.map(|(earlier, visit)| (earlier, visit.phi.clone()));
         (number, chosen.nth(self.learned[number].rejected))
+    }
+
+    /// Adds the values of a channel to the loop that the sweep is in, or to a new one.
+    fn add_carries(
+        &mut self,
+        (repeat, inward): (RepeatId, bool),
+        carries: Vec<Carry>,
+    ) -> VisitKind {
+        let open = self.open.iter().filter_map(|&number| self.visits.get(number));
+        let mut same = open.filter(|visit| (visit.channel.0, visit.inward) == (repeat, inward));
+        let index = same.find_map(|visit| match visit.kind {
+            VisitKind::New { index, .. } => Some(index),
+            VisitKind::ReuseOf { .. } => None,
+        });
+        let index = index.unwrap_or_else(|| {
+            self.loops.push(Loop { repeat, inward, carries: Vec::new() });
+            self.loops.len() - 1
+        });
+        let first = self.loops[index].carries.len();
+        self.loops[index].carries.extend(carries);
+        VisitKind::New { index, first }
+    }
+
+    /// Ends the open visit of a channel.
+    fn close(&mut self, channel: Channel) -> (usize, VisitKind) {
+        let is_it = |&number: &usize| self.visits[number].channel == channel;
+        let Some(place) = self.open.iter().rposition(is_it) else {
+            bug!("a sweep leaves a repeated part that it has not entered")
+        };
+        let number = self.open.remove(place);
+        (number, self.visits[number].kind)
     }
 
     /// Ends a visit that reuses the loop of an earlier one: returns the values after the last repetition.
@@ -231,10 +256,10 @@ mod tests {
     use super::LoopTracer;
     use crate::equations::LoopHook;
     use crate::expr::{Expr, Graph, Stage};
-    use crate::ids::{RepeatId, SymbolId};
+    use crate::ids::{ChannelId, RepeatId, SymbolId};
     use crate::math::Scalar;
 
-    const PART: RepeatId = RepeatId(0);
+    const PART: (RepeatId, ChannelId) = (RepeatId(0), ChannelId(0));
 
     #[test]
     fn sweeps_with_the_same_carries_share_a_loop() {
@@ -267,8 +292,9 @@ mod tests {
             for (part, inward, init) in
                 [(0, false, 0.0), (1, false, 0.0), (0, true, 0.0), (0, false, 1.0)]
             {
-                let phi = tracer.enter(RepeatId(part), inward, &[Expr::number(init)])[0];
-                tracer.leave(RepeatId(part), &[phi * own + own]);
+                let part = (RepeatId(part), ChannelId(0));
+                let phi = tracer.enter(part, inward, &[Expr::number(init)])[0];
+                tracer.leave(part, &[phi * own + own]);
             }
         });
         assert_eq!(loops.len(), 4);

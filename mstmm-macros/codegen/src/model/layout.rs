@@ -250,23 +250,26 @@ struct Tree {
 
 impl Tree {
     /// Builds the tree over the hinges in the order written; welds, which may be merged, and welds
-    /// of boundaries precede all others. A repeated part is traversed without interruption, since
-    /// everything between its boundaries is evaluated for each repetition.
+    /// of boundaries at the start precede all others. A repeated part is traversed without interruption, since
+    /// everything between its boundaries is evaluated for each repetition; its ends come last.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
         let sides = |hinge: HingeId| {
             [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
         };
-        let is_free = |hinge: HingeId| {
-            !is_weld(hinge) && chain.repeat_boundary(&chain.hinges[hinge].outboard).is_none()
+        let rank = |hinge: HingeId| match chain.repeat_boundary(&chain.hinges[hinge].outboard) {
+            Some(RepeatBoundary { at_end: false, .. }) => TraversalOrder::First,
+            Some(RepeatBoundary { at_end: true, .. }) => TraversalOrder::Last,
+            None if is_weld(hinge) => TraversalOrder::First,
+            None => TraversalOrder::Free,
         };
         let mut touching: IdVec<BodyId, Vec<HingeId>> =
             IdVec::filled(Vec::new(), chain.bodies.len());
-        let mut next: BTreeSet<(bool, HingeId)> = BTreeSet::new();
+        let mut next: BTreeSet<(TraversalOrder, HingeId)> = BTreeSet::new();
         for hinge in chain.hinges.ids() {
             for side in sides(hinge) {
                 match side {
                     Some(body) => touching[body].push(hinge),
-                    None => _ = next.insert((is_free(hinge), hinge)),
+                    None => _ = next.insert((rank(hinge), hinge)),
                 }
             }
         }
@@ -274,9 +277,7 @@ impl Tree {
         let (mut links, mut loop_hinges) = (IdVec::<LinkId, Link>::new(), Vec::new());
         let mut joined = IdVec::filled(None, chain.bodies.len());
         let mut inside: Option<RepeatId> = None;
-        while let Some((_, hinge)) =
-            pop(&mut next, |hinge| inside.is_none_or(|repeat| chain.lies_in_repeat(hinge, repeat)))
-        {
+        while let Some(hinge) = pop(chain, &mut next, inside) {
             let part =
                 |side: Option<BodyId>| side.map_or(Some(MovesWith::Ground), |body| reached[body]);
             let [inboard, outboard] = sides(hinge);
@@ -296,11 +297,7 @@ impl Tree {
                     MovesWith::Link(link) => Some(link),
                 };
                 let boundary = chain.repeat_boundary(&Attachment::Input(body));
-                inside = match boundary {
-                    Some(RepeatBoundary { repeat, at_end: false }) => Some(repeat),
-                    Some(RepeatBoundary { at_end: true, .. }) => None,
-                    None => inside,
-                };
+                inside = boundary.map_or(inside, |boundary| Some(boundary.repeat));
                 let (members, repeated) = (vec![body], chain.repeat_of_hinge(hinge).is_some());
                 let link = Link { hinge, body, members, parent, reversed, boundary, repeated };
                 MovesWith::Link(links.push(link))
@@ -313,7 +310,10 @@ impl Tree {
             };
             reached[body] = Some(part);
             let others = touching[body].iter().filter(|&&other| other != hinge);
-            next.extend(others.map(|&other| (is_free(other), other)));
+            next.extend(others.map(|&other| (rank(other), other)));
+            inside = inside.filter(|&repeat| {
+                next.iter().any(|&(_, hinge)| chain.lies_in_repeat(hinge, repeat))
+            });
         }
         let part = |(body, part): (&Body, Option<MovesWith>)| {
             part.unwrap_or_else(|| bug!("no hinge holds body `{}`", body.name))
@@ -323,12 +323,31 @@ impl Tree {
     }
 }
 
-/// Removes and returns the first hinge that may come next.
+/// When a hinge is traversed, among those that can be.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum TraversalOrder {
+    First,
+    Free,
+    Last,
+}
+
+/// Removes and returns the first hinge that may come next: inside a repeated part only hinges of this
+/// part, and its first one only if all its channels have been reached.
 fn pop(
-    next: &mut BTreeSet<(bool, HingeId)>,
-    may_come: impl Fn(HingeId) -> bool,
-) -> Option<(bool, HingeId)> {
+    chain: &Chain,
+    next: &mut BTreeSet<(TraversalOrder, HingeId)>,
+    inside: Option<RepeatId>,
+) -> Option<HingeId> {
+    let may_come = |hinge: HingeId| match inside {
+        Some(repeat) => chain.lies_in_repeat(hinge, repeat),
+        None => match chain.repeat_boundary(&chain.hinges[hinge].outboard) {
+            Some(RepeatBoundary { repeat, at_end: false, .. }) => {
+                chain.starts_of(repeat).all(|start| next.contains(&(TraversalOrder::First, start)))
+            }
+            Some(_) | None => true,
+        },
+    };
     let first = next.iter().copied().find(|&(_, hinge)| may_come(hinge))?;
     next.remove(&first);
-    Some(first)
+    Some(first.1)
 }

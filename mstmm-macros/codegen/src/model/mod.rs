@@ -6,6 +6,7 @@
 mod answer;
 mod check;
 mod condition;
+mod connection_points;
 mod hinge;
 mod inertia;
 mod layout;
@@ -20,9 +21,10 @@ mod tests;
 mod unrolled;
 mod value;
 
-pub use crate::ids::{BodyId, HingeId, InputId, LinkId, LoadId, RepeatId};
+pub use crate::ids::{BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId};
 pub use answer::Answer;
 pub use condition::{Bound, Condition, Requirement};
+pub use connection_points::{ConnectionPoint, ConnectionPoints, ElementPoints, Transmitted};
 pub use hinge::{
     Coordinate, DofGroup, Drive, Effort, Friction, Hinge, HingeKind, HingeSpec, Limits, Passive,
     Representation, StateView, ViewArgument,
@@ -296,12 +298,14 @@ pub enum Role {
     RepeatBoundary(RepeatBoundary),
 }
 
-/// The beginning or the end of a repeated part. Everything between them is the same for every
-/// repetition.
+/// The beginning or the end of a repeated part, where one channel crosses it. Everything between them
+/// is the same for every repetition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RepeatBoundary {
     /// The part.
     pub repeat: RepeatId,
+    /// The channel.
+    pub channel: ChannelId,
     /// Whether it is the end of the part.
     pub at_end: bool,
 }

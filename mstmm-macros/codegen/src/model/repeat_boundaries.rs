@@ -3,8 +3,8 @@
 //! repetition is the same.
 
 use super::{
-    About, Attachment, Body, BodyId, Chain, Frame, Hinge, HingeId, HingeKind, Inertia,
-    PresentPoints, RepeatBoundary, RepeatId, Role, Value,
+    About, Attachment, Body, BodyId, Chain, ChannelId, Frame, FromPrevious, Hinge, HingeId,
+    HingeKind, Inertia, PresentPoints, Repeat, RepeatBoundary, RepeatId, Role, Value,
 };
 use super::{Drive, Element, InputKind};
 use proc_macro2::Span;
@@ -13,27 +13,92 @@ use quote::format_ident;
 /// Returns the chain with a massless body at each boundary.
 pub(super) fn with_repeat_boundaries(mut chain: Chain) -> Chain {
     for repeat in chain.repeats.ids() {
-        let part = chain.repeats[repeat].clone();
-        let first = part.hinges.first();
-        let last = part.bodies.last();
-        let before = chain.hinges[first].inboard.clone();
-        let start = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: false }, before);
-        chain.hinges[first].inboard = Attachment::Input(start);
-        let outboard_end = Attachment::Output(last);
-        let next = chain.hinges.position(|hinge| hinge.inboard == outboard_end);
-        let end = add_boundary(&mut chain, RepeatBoundary { repeat, at_end: true }, outboard_end);
-        if let Some(next) = next {
-            chain.hinges[next].inboard = Attachment::Input(end);
-        }
+        Boundaries { chain: &mut chain, repeat, channels: 0 }.add();
     }
     chain
 }
 
+/// Adds the boundaries of one repeated part. Each channel has one at the start and one at the end.
+struct Boundaries<'a> {
+    chain: &'a mut Chain,
+    repeat: RepeatId,
+    channels: usize,
+}
+
+impl Boundaries<'_> {
+    fn add(mut self) {
+        let Repeat { hinges, last_body, from_previous, .. } =
+            self.chain.repeats[self.repeat].clone();
+        let route_end = Attachment::Output(last_body);
+        let before = self.chain.hinges[hinges.first()].inboard.clone();
+        self.channel(Some(hinges.first()), &before, &route_end);
+        for FromPrevious { hinge, previous } in &from_previous {
+            let first = self.chain.hinges[*hinge].inboard.clone();
+            self.channel(Some(*hinge), &first, previous);
+        }
+        // What is left outside leaves other places of the last repetition. Nothing of the part begins with
+        // these channels.
+        while let Some(place) = self.place_left_outside() {
+            self.channel(None, &before, &place);
+        }
+    }
+
+    /// Adds a channel from the place `first` in the first repetition, or `previous` in all others, to
+    /// the hinge `follower`, and from `previous` in the last repetition to what leaves it outside.
+    fn channel(&mut self, follower: Option<HingeId>, first: &Attachment, previous: &Attachment) {
+        let channel = ChannelId(self.channels);
+        self.channels += 1;
+        let outside = self.outside(previous);
+        let boundary = |at_end| RepeatBoundary { repeat: self.repeat, channel, at_end };
+        let [start, end] = [boundary(false), boundary(true)];
+        let start = add_boundary(self.chain, start, first.clone());
+        if let Some(follower) = follower {
+            self.chain.hinges[follower].inboard = Attachment::Input(start);
+        }
+        let end = add_boundary(self.chain, end, previous.clone());
+        // The places of channels other than the route's are served by channels without a follower.
+        if channel == ChannelId(0) || follower.is_none() {
+            for hinge in outside {
+                self.chain.hinges[hinge].inboard = Attachment::Input(end);
+            }
+        }
+    }
+
+    /// Returns the hinges outside of the part that leave a place of it.
+    fn outside(&self, place: &Attachment) -> Vec<HingeId> {
+        let hinges = self.chain.hinges.enumerate();
+        let outside =
+            hinges.filter(|(id, hinge)| hinge.inboard == *place && self.is_outside(*id, hinge));
+        outside.map(|(id, _)| id).collect()
+    }
+
+    fn is_outside(&self, id: HingeId, hinge: &Hinge) -> bool {
+        !self.chain.repeats[self.repeat].hinges.contains(id)
+            && self.chain.repeat_boundary(&hinge.outboard).is_none()
+    }
+
+    /// Returns a place of the part that a hinge outside leaves.
+    fn place_left_outside(&self) -> Option<Attachment> {
+        let bodies = self.chain.repeats[self.repeat].bodies;
+        let hinges = self.chain.hinges.enumerate();
+        let mut left = hinges.filter(|(id, hinge)| {
+            hinge.inboard.body().is_some_and(|body| bodies.contains(body))
+                && self.is_outside(*id, hinge)
+        });
+        left.next().map(|(_, hinge)| hinge.inboard.clone())
+    }
+}
+
 /// Welds a boundary to an attachment.
 fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> BodyId {
-    let word = if boundary.at_end { "end" } else { "start" };
-    let name =
-        format_ident!("{word}_of_repeat{}", boundary.repeat.index(), span = Span::call_site());
+    let RepeatBoundary { repeat, channel, at_end } = boundary;
+    let word = if at_end { "end" } else { "start" };
+    let channel = match channel {
+        ChannelId(0) => String::new(),
+        ChannelId(other) => format!("_{other}"),
+    };
+    let index = repeat.index();
+    let name = format_ident!("{word}_of_repeat{index}{channel}", span = Span::call_site());
     let zero = || Value::number(0.0);
     let body = chain.bodies.push(Body {
         name: name.clone(),
@@ -78,16 +143,26 @@ impl Chain {
         self.hinges.position(is_it).unwrap_or_else(|| bug!("{boundary:?} is welded to nothing"))
     }
 
+    /// Returns the welds at the start of a repeated part, one for each channel.
+    pub fn starts_of(&self, repeat: RepeatId) -> impl Iterator<Item = HingeId> {
+        let is_start = move |hinge: &Hinge| {
+            let boundary = self.repeat_boundary(&hinge.outboard);
+            boundary.is_some_and(|boundary| boundary.repeat == repeat && !boundary.at_end)
+        };
+        self.hinges.enumerate().filter(move |(_, hinge)| is_start(hinge)).map(|(id, _)| id)
+    }
+
     /// Returns the repeated part of a hinge.
     pub fn repeat_of_hinge(&self, hinge: HingeId) -> Option<RepeatId> {
         self.repeats.position(|repeat| repeat.hinges.contains(hinge))
     }
 
-    /// Returns whether a hinge belongs to a repeated part, or is the weld of its end.
+    /// Returns whether a hinge belongs to a repeated part, or is the weld of a boundary of it.
     pub fn lies_in_repeat(&self, hinge: HingeId, repeat: RepeatId) -> bool {
         self.repeats[repeat].hinges.contains(hinge)
-            || self.repeat_boundary(&self.hinges[hinge].outboard)
-                == Some(RepeatBoundary { repeat, at_end: true })
+            || self
+                .repeat_boundary(&self.hinges[hinge].outboard)
+                .is_some_and(|boundary| boundary.repeat == repeat)
     }
 
     /// Returns the repeated part of a body.

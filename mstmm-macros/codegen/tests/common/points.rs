@@ -5,16 +5,12 @@ use mstmm_codegen::compile::{
     Compiled, StoredFramedVector, StoredPoint, StoredVector, layouts, outputs,
 };
 use mstmm_codegen::ids::RepeatId;
-use mstmm_codegen::model::{Chain, Element};
+use mstmm_codegen::model::Chain;
 use mstmm_codegen::program::ArrayLayout;
 
 /// Returns all points in inertial axes, in the order of the chain written out.
 pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) -> Vec<S> {
-    let part = |element: &Element| match *element {
-        Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
-        Element::Body(body) => chain.repeat_of_body(body),
-    };
-    let parts = std::iter::once(None).chain(chain.elements.iter().map(part));
+    let parts = compiled.point_storage.of.points.iter().map(|point| point.repeat);
     let points: Vec<(Option<RepeatId>, &StoredPoint)> =
         parts.zip(&compiled.point_storage.points).collect();
     let reader = Reader {

@@ -1,7 +1,7 @@
 //! Chains without errors: dimensions, ends, loads and repeated parts.
 
 use super::{all_known, chain, edited, known};
-use crate::ids::{BodyId, HingeId, LoadId, RepeatId};
+use crate::ids::{BodyId, ChannelId, HingeId, LoadId, RepeatId};
 use crate::model::{
     Attachment, Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Repeat, RepeatBoundary,
     Role, Source, SpringEnd, Value,
@@ -252,11 +252,17 @@ fn parts_of_the_route_can_be_repeated() {
     );
     assert_eq!(
         behind_seam(&chain, 1),
-        (RepeatBoundary { repeat: RepeatId(0), at_end: false }, Attachment::Output(BodyId(0)))
+        (
+            RepeatBoundary { repeat: RepeatId(0), channel: ChannelId(0), at_end: false },
+            Attachment::Output(BodyId(0))
+        )
     );
     assert_eq!(
         behind_seam(&chain, 3),
-        (RepeatBoundary { repeat: RepeatId(0), at_end: true }, Attachment::Output(BodyId(2)))
+        (
+            RepeatBoundary { repeat: RepeatId(0), channel: ChannelId(0), at_end: true },
+            Attachment::Output(BodyId(2))
+        )
     );
 
     let chain = on_route("ground -> repeat 5 { pin a -> Rod b } -> pin c -> ground; load x { on = b; force = input; }".replace("Rod b }", "Cube u -> pin d -> Rod b }").as_str());
