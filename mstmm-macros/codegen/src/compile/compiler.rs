@@ -165,7 +165,7 @@ impl<'a> ChainCompiler<'a> {
         let pivot = |pivot: &equations::HingePivot<Expr<'a>>| {
             let hinge = self.merged.links[pivot.link].hinge;
             NamedPivot {
-                hinge: self.chain.hinges[hinge].name.to_string(),
+                hinge: self.chain.hinges[hinge].path.clone(),
                 value: self.graph.edge(pivot.value),
                 scale: self.graph.edge(pivot.scale),
             }

@@ -91,7 +91,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
     let checked = quaternions::checked(cx);
     let closing = cx.layout.loop_hinges.first();
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge is projected"));
-    let hinge = cx.chain.hinges[*closing].name.to_string();
+    let hinge = &cx.chain.hinges[*closing].path;
     let check =
         has_excess(function).then(|| quote!(#mstmm::generated::check_rank(residual_, #hinge)?;));
     let errors = quaternions::error(cx);

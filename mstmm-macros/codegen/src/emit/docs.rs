@@ -104,7 +104,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
             let dof_count =
                 floats.map_or(String::new(), |hinge| hinge.kind.dof_count().to_string());
             let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));
-            format!(" | `{}` | body `{}`{mass} | {dof_count} |", body.name, body.type_name)
+            format!(" | `{}` | body `{}`{mass} | {dof_count} |", body.path, body.type_name)
         }
         Element::Hinge(index) => {
             let hinge = &cx.chain.hinges[index];
@@ -116,7 +116,7 @@ fn row(cx: &EmitContext, element: Element) -> String {
                 axes => format!("({})", axes.join(", ")),
             };
             let dof_count = if hinge.is_prescribed() { 0 } else { hinge.kind.dof_count() };
-            format!(" | `{}` | {kind}{about}{motion} | {dof_count} |", hinge.name)
+            format!(" | `{}` | {kind}{about}{motion} | {dof_count} |", hinge.path)
         }
     }
 }

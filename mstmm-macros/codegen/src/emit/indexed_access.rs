@@ -6,7 +6,7 @@ use super::point_access::{PointIndex, point_type};
 use super::quaternions;
 use super::{EmitContext, body};
 use crate::ids::PointId;
-use crate::model::{BodyId, ElementPoints, HingeId, ViewArgument};
+use crate::model::{BodyId, ElementPoints, Hinge, HingeId, ViewArgument};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -76,7 +76,7 @@ fn view_name(cx: &EmitContext, hinge: HingeId, suffix: &str) -> Ident {
 /// Returns the methods for the views of a repeated hinge.
 pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let name = &cx.chain.hinges[hinge].name;
+    let Hinge { name, path, .. } = &cx.chain.hinges[hinge];
     let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
     let visibility = &cx.passthrough.visibility;
     let segments = HingeSegments::of(cx, hinge);
@@ -94,11 +94,11 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
     let all = all.iter().map(|name| helper(name));
     let times = usize_literal(count);
     let doc = format!(
-        " Returns coordinates and rates of hinge `{name}` in repetition `index` of {count}."
+        " Returns coordinates and rates of hinge `{path}` in repetition `index` of {count}."
     );
     let doc_mut = format!("{doc} To be changed.");
     let doc_set =
-        format!(" Sets coordinates and rates of hinge `{name}` in all repetitions, by index.");
+        format!(" Sets coordinates and rates of hinge `{path}` in all repetitions, by index.");
     quote! {
         #[doc = #doc]
         #[inline]
@@ -206,7 +206,8 @@ pub fn body(cx: &EmitContext, (index, element): (BodyId, usize), count: usize) -
     let name = &body.name;
     let contents = body::contents(body);
     let doc = format!(
-        " Returns the results at body `{name}` in repetition `index` of {count}: {contents}."
+        " Returns the results at body `{}` in repetition `index` of {count}: {contents}.",
+        body.path
     );
     let (ends, ty) = (ends(cx, element, count), body::type_of(cx, index));
     let at = |point: PointId| {
@@ -230,7 +231,7 @@ pub fn body(cx: &EmitContext, (index, element): (BodyId, usize), count: usize) -
 /// Returns the method for the results of a repeated hinge.
 pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let name = &cx.chain.hinges[index].name;
+    let Hinge { name, path, .. } = &cx.chain.hinges[index];
     let (visibility, point) = (&cx.passthrough.visibility, point_type(cx));
     let range = &cx.layout.rates[index];
     let ty = cx.numbers_type(range.len());
@@ -258,7 +259,7 @@ pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize)
     let accelerations = cx.rate_accelerations();
     let (acceleration, effort) = (of(quote!(self.#accelerations)), of(quote!(self.efforts)));
     let doc = format!(
-        " Returns acceleration, effort, input and output of hinge `{name}` in repetition `index` of {count}."
+        " Returns acceleration, effort, input and output of hinge `{path}` in repetition `index` of {count}."
     );
     let ends = ends(cx, element, count);
     quote! {

@@ -24,7 +24,7 @@ pub fn of_state(cx: &EmitContext) -> Vec<String> {
         .ids()
         .into_iter()
         .filter_map(|hinge| {
-            let name = &cx.chain.hinges[hinge].name;
+            let name = &cx.chain.hinges[hinge].path;
             let repeat = cx.chain.repeat_of_hinge(hinge);
             let times = repeat.map_or(String::new(), |repeat| {
                 format!(", repetition k of {}", cx.chain.repeats[repeat].count)

@@ -73,7 +73,7 @@ fn row(
     (index, first_coordinate): (HingeId, usize),
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let hinge = cx.chain.hinges[index].name.to_string();
+    let hinge = &cx.chain.hinges[index].path;
     let &Segment { first, count, offset: start, repetitions: times, .. } =
         layout.segment_of(first_coordinate);
     let [first, stride, count] =
@@ -107,7 +107,7 @@ fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
 
 /// Returns the call that passes the hinge's name to a view, if the view has errors that report it.
 pub fn named(hinge: &Hinge) -> Option<TokenStream> {
-    let name = hinge.name.to_string();
+    let name = &hinge.path;
     quaternion_of(&hinge.kind).map(|_| quote!(.named(#name)))
 }
 

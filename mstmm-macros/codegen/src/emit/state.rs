@@ -134,8 +134,9 @@ fn accessors(cx: &EmitContext, index: HingeId) -> TokenStream {
     let visibility = &cx.passthrough.visibility;
     let on_route = cx.chain.elements.contains(&Element::Hinge(index));
     let kind = if on_route { "hinge" } else { "body" };
-    let doc = format!(" Returns coordinates and rates of {kind} `{name}`.");
-    let doc_mut = format!(" Returns coordinates and rates of {kind} `{name}`, for writing.");
+    let path = &hinge.path;
+    let doc = format!(" Returns coordinates and rates of {kind} `{path}`.");
+    let doc_mut = format!(" Returns coordinates and rates of {kind} `{path}`, for writing.");
     if !cx.chain.repeats.is_empty() {
         return indexed_access::single_accessors(cx, index, (&doc, &doc_mut));
     }

@@ -204,13 +204,19 @@ fn closure(cx: &EmitContext) -> ClosureItems {
         let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
         return ClosureItems { field, zero, method, shown };
     };
+    let closing = cx.layout.loop_hinges.first();
+    let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge has reactions"));
+    let doc = format!(
+        " Returns the redundant directions of the closing hinge `{}`.",
+        cx.chain.hinges[*closing].path
+    );
     let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.passthrough.visibility);
     ClosureItems {
         field: quote!(closure: #mstmm::LoopClosure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
         shown: quote!(.field("closure", &self.closure)),
         method: quote! {
-            /// Returns the redundant directions of the closing hinge, which is the last hinge.
+            #[doc = #doc]
             ///
             /// The motion does not determine the reactions along them; their wrenches are in the inboard frame.
             #[inline]
@@ -224,7 +230,7 @@ fn closure(cx: &EmitContext) -> ClosureItems {
 fn body(cx: &EmitContext, index: BodyId, element: usize) -> TokenStream {
     let (body, visibility) = (&cx.chain.bodies[index], &cx.passthrough.visibility);
     let name = &body.name;
-    let doc = format!(" Returns the results at body `{name}`: {}.", body::contents(body));
+    let doc = format!(" Returns the results at body `{}`: {}.", body.path, body::contents(body));
     let (ends, ty) = (ends(cx, element), body::type_of(cx, index));
     let at = |point: PointId| usize_literal(cx.point_index(point).last).to_token_stream();
     let result = body::result(cx, (index, element), &at(cx.ends(element).input), at);
@@ -240,7 +246,7 @@ fn body(cx: &EmitContext, index: BodyId, element: usize) -> TokenStream {
 
 fn hinge(cx: &EmitContext, index: HingeId, element: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let Hinge { name, kind, .. } = &cx.chain.hinges[index];
+    let Hinge { name, path, kind, .. } = &cx.chain.hinges[index];
     let visibility = &cx.passthrough.visibility;
     let range = &cx.layout.rates[index];
     let ty = cx.numbers_type(kind.dof_count());
@@ -250,7 +256,7 @@ fn hinge(cx: &EmitContext, index: HingeId, element: usize) -> TokenStream {
         _ => vector(cx, range, field),
     };
     let (acceleration, effort) = (of(&cx.rate_accelerations()), of(&format_ident!("efforts")));
-    let doc = format!(" Returns acceleration, effort, input and output of hinge `{name}`.");
+    let doc = format!(" Returns acceleration, effort, input and output of hinge `{path}`.");
     let (ends, point) = (ends(cx, element), point_type(cx));
     quote! {
         #[doc = #doc]

@@ -162,8 +162,8 @@ impl DryRun {
 
     /// Returns the message for a hinge that moves no inertia.
     fn massless_message(&self, hinge: &Hinge) -> String {
-        let name = &hinge.name;
-        let floats = self.chain.bodies.iter().any(|body| body.name == *name);
+        let name = &hinge.path;
+        let floats = self.chain.bodies.iter().any(|body| body.path == *name);
         if floats {
             return format!(
                 "the bodies that float with `{name}` have no inertia about one of their axes: \
