@@ -4,7 +4,7 @@ mod common;
 
 use common::double_double::DoubleDouble;
 use common::interpreter::{Arrays, Judge, run};
-use common::points::points;
+use common::points::{points, springs};
 use common::scalars::difference_of;
 use common::twins::{Numbers, Twin, Twins};
 use mstmm_codegen::compile::{CompiledFunction, outputs};
@@ -28,6 +28,7 @@ fn results<S: Judge>(
         match id {
             outputs::AT_REST => None,
             outputs::POINT_NUMBERS => Some((id.name, points(&twin.chain, &twin.compiled, &arrays))),
+            outputs::SPRINGS => Some((id.name, springs(&twin.chain, &arrays))),
             // Pivots and the excess are measured by what would be there if nothing cancelled, which loops add up
             // in another way.
             outputs::RESIDUAL => Some((id.name, vec![arrays.result(id)[0]])),

@@ -1,6 +1,7 @@
 //! Runs the compiler's equations on numbers.
 #![allow(dead_code)]
 
+pub mod cords;
 pub mod double_double;
 pub mod drives;
 pub mod folded;

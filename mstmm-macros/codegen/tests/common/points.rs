@@ -31,6 +31,22 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
     all
 }
 
+/// Returns the results of all springs, with the repetitions of each spring one after the other.
+pub fn springs<S: Judge>(chain: &Chain, full: &Arrays<S>) -> Vec<S> {
+    let layout = layouts::springs(chain);
+    let values = full.result(outputs::SPRINGS);
+    let count = 3 + chain.dimension.translations().len();
+    let mut all = Vec::new();
+    for spring in 0..chain.springs.len() {
+        let segment = layout.segment_of(spring * count);
+        let first = segment.offset + spring * count - segment.first;
+        for repetition in 0..segment.repetitions {
+            all.extend_from_slice(&values[first + repetition * segment.count..][..count]);
+        }
+    }
+    all
+}
+
 struct Reader<'a, S> {
     chain: &'a Chain,
     layout: ArrayLayout,

@@ -150,9 +150,20 @@ impl Twins {
 impl Twin {
     /// Returns the only chain of a text, or its errors.
     pub fn new(text: &str, numbers: Numbers) -> Result<Twin, String> {
+        Twin::edited(text, numbers, |_| ())
+    }
+
+    /// Returns the only chain of a text after a change, or the errors of the text.
+    pub fn edited(
+        text: &str,
+        numbers: Numbers,
+        edit: impl FnOnce(&mut Chain),
+    ) -> Result<Twin, String> {
         let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
         let read = mstmm_codegen::read_and_examine(tokens);
         let (chain, findings) = read.map_err(|error| error.to_string())?.remove(0);
+        let mut chain = chain;
+        edit(&mut chain);
         let chain = if numbers == Numbers::Lifted { lifted(chain) } else { chain };
         let layout = Layout::of(&chain);
         let compiled = compile(&chain, &findings, &layout);
@@ -182,7 +193,7 @@ impl Twin {
 
     /// Returns random values of all unknowns of a chain without repeated parts. Quaternions have unit length in the precision of
     /// the scalar, since the equations assume it.
-    fn random_arguments<S: Judge>(&self, random: &mut Random) -> HashMap<Argument, Vec<S>> {
+    pub fn random_arguments<S: Judge>(&self, random: &mut Random) -> HashMap<Argument, Vec<S>> {
         let mut all = HashMap::from([(Argument::Time, vec![S::number(0.3)])]);
         for (argument, layout) in self.compiled.unknowns.arguments() {
             let values = (0..layout.total).map(|_| self.random_number(argument, random));
