@@ -3,8 +3,8 @@
 //! A recursion over a chain is one long dependency path. A processor looks a few hundred instructions ahead for
 //! independent operations; this pass moves such operations into that window. It schedules backwards from the end, for a
 //! processor that starts five operations in two cycles, so that values are computed no earlier than necessary and
-//! register pressure stays low. The order of the equations is kept if there is enough independent work at all times, and
-//! in loops, where consecutive repetitions overlap.
+//! register pressure stays low. The order of the equations is kept if there is enough independent work at all times, if
+//! no path is long, and in loops, where consecutive repetitions overlap.
 //!
 //! It saves 14 % of the time for seven crossed pins, 9 % for three balls and 5 % for the Panda (`benches/README.md`).
 
@@ -21,6 +21,11 @@ const CYCLES: u32 = 2;
 
 /// There is enough independent work if all operations together take this many times as long as the longest path.
 const ENOUGH: f64 = 1.2;
+
+/// The length in cycles up to which a path is short: 100 operations start in this time, and a processor overlaps so many
+/// without help. If all paths are short, as in coordinate rates, scheduling only increases register pressure: with it,
+/// three balls would need 1.8 % more instructions in `f32` on a Cortex-M4.
+const SHORT: u32 = 40;
 
 /// Reorders the statements of a program. A section whose statements are separated becomes several sections with the same
 /// heading.
@@ -119,12 +124,12 @@ impl Dependencies {
         depths
     }
 
-    /// Returns whether there is too little independent work for statements of these depths.
+    /// Returns whether a path is long and there is too little independent work for statements of these depths.
     fn wait(&self, depths: &[u32]) -> bool {
         let ends = depths.iter().zip(&self.latencies).map(|(depth, latency)| depth + latency);
         let longest = ends.max().unwrap_or(0);
         let room = f64::from(longest * OPERATIONS) / f64::from(CYCLES);
-        depths.len() as f64 <= ENOUGH * room
+        longest > SHORT && depths.len() as f64 <= ENOUGH * room
     }
 
     /// Returns the indices of the statements in their new order.
@@ -176,8 +181,8 @@ mod tests {
         Section { title: title.into(), statements, ..Section::default() }
     }
 
-    fn reciprocal(name: ValueId, of: Operand) -> Statement {
-        Statement::Let(name, Operation::Recip(of))
+    fn root(name: ValueId, of: Operand) -> Statement {
+        Statement::Let(name, Operation::Sqrt(of))
     }
 
     /// Adds values with numbered names.
@@ -196,7 +201,7 @@ mod tests {
         let filling = |k: usize| Operation::Sum(unknown(k), unknown(9));
         let ending = |k: usize| Operation::Sum(Operand::Value(fill[k]), Operand::Value(b));
         let filling = (0..6).map(|k| Statement::Let(fill[k], filling(k))).collect();
-        let path = vec![reciprocal(a, unknown(0)), reciprocal(b, Operand::Value(a))];
+        let path = vec![root(a, unknown(0)), root(b, Operand::Value(a))];
         let ending = (0..6).map(|k| Statement::Let(end[k], ending(k))).collect();
         let given = vec![section("fill", filling), section("path", path), section("end", ending)];
         let order = new_order(&given, names.count()).expect("it waits");
@@ -208,18 +213,34 @@ mod tests {
         assert_eq!(made, [&[a, b], &fill[..], &end[..]].concat());
     }
 
+    /// Returns the new order of sums and of a path of square roots that begins at the last sum.
+    fn order_of(sums: usize, roots: usize) -> Option<Vec<usize>> {
+        let mut names = ValueNames::default();
+        let mut value = |letter: &str, number: usize| names.add(format!("{letter}{number}"));
+        let mut last = Operand::Number(0.0);
+        let mut sum = |number: usize| {
+            let (name, unknown) = (value("f", number), Operand::Value(value("x", number)));
+            last = Operand::Value(name);
+            Statement::Let(name, Operation::Sum(unknown.clone(), unknown))
+        };
+        let sums = (0..sums).map(&mut sum).collect();
+        let mut path = Vec::new();
+        for number in 0..roots {
+            let name = value("path", number);
+            path.push(root(name, std::mem::replace(&mut last, Operand::Value(name))));
+        }
+        new_order(&[section("sums", sums), section("path", path)], names.count())
+    }
+
     #[test]
     fn the_order_is_kept_if_there_is_enough_work() {
-        let mut names = ValueNames::default();
-        let sums: [ValueId; 100] = values(&mut names, "f");
-        let [last] = values(&mut names, "last");
-        let unknowns: [ValueId; 100] = values(&mut names, "x");
-        let sum = |k: usize| {
-            let unknown = Operand::Value(unknowns[k]);
-            Statement::Let(sums[k], Operation::Sum(unknown.clone(), unknown))
-        };
-        let end = vec![reciprocal(last, Operand::Value(sums[99]))];
-        let sections = vec![section("sums", (0..100).map(sum).collect()), section("end", end)];
-        assert_eq!(new_order(&sections, names.count()), None);
+        assert_ne!(order_of(100, 2), None);
+        assert_eq!(order_of(200, 2), None);
+    }
+
+    #[test]
+    fn the_order_is_kept_if_no_path_is_long() {
+        assert_ne!(order_of(10, 2), None);
+        assert_eq!(order_of(10, 1), None);
     }
 }

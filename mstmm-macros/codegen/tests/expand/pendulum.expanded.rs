@@ -101,15 +101,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let payload_ = parameters_.payload;
         /// Quantities derived from parameters and constants: 3 mul, 6 add, 1 reciprocal.
         let rod_mass_ = payload_ + c_(1.0);
+        let rod_first_moment_x_ = rod_mass_ * c_(0.5);
         let t0_ = rod_mass_ * c_(0.25);
         let rod_inertia_yy_ = t0_ + c_(0.08333333333333333);
-        let joint_d_inverse_ = T::recip(rod_inertia_yy_);
         let t1_ = t0_ + c_(0.07333333333333333);
         let rod_inertia_xx_ = rod_inertia_yy_ - t1_;
-        let rod_first_moment_x_ = rod_mass_ * c_(0.5);
+        let joint_d_inverse_ = T::recip(rod_inertia_yy_);
         let t2_ = rod_inertia_yy_ + rod_inertia_xx_;
-        let joint_gain_fy_ = rod_first_moment_x_ * joint_d_inverse_;
         let joint_d_scale_ = rod_inertia_yy_ + t2_;
+        let joint_gain_fy_ = rod_first_moment_x_ * joint_d_inverse_;
         let derived_ = [
             rod_mass_,
             rod_first_moment_x_,
