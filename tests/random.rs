@@ -8,6 +8,7 @@ mod random {
     // Kept as printed.
     #[rustfmt::skip]
     pub mod chains;
+    pub mod compare;
     pub mod face;
     pub mod print;
 }
@@ -16,19 +17,12 @@ mod support;
 use mstmm::{ChainState, Error};
 use mstmm_reference::{
     Chain, Dimension, Drives, End, Ends, Gravity, HingeChoice, HingeKind, HingeMotion, Random,
-    Recipe, Solution, Source, random_mechanism, random_motion,
+    Recipe, Source, random_mechanism, random_motion,
 };
 use random::chains;
-use random::face::{Answer, Printed};
+use random::compare::compare;
+use random::face::Printed;
 use random::print::printed;
-use support::{ComparedPoint, difference, loads_match, motions_match, worst};
-
-/// Motions tried for each chain.
-const MOTIONS: u64 = 20;
-
-/// The condition numbers of these chains reach a few thousand, and the reference solves a dense
-/// system of up to 54 unknowns.
-const TOLERANCE: f64 = 1e-10;
 
 /// The chain of a seed: up to four bodies, all ends and dimensions; everything may occur.
 fn chain(seed: u64) -> Chain {
@@ -139,48 +133,6 @@ fn the_seeds_have_everything() {
     assert!(missing.is_empty(), "missing: {missing:?}");
 }
 
-/// Compares one generated type with the reference in many motions.
-fn compare<C: Printed>(name: &str, seed: u64)
-where
-    C::Point: ComparedPoint,
-{
-    let (reference, generated) = (chain(seed), C::default());
-    let mut largest = 0.0_f64;
-    for number in 0..MOTIONS {
-        let mut random = Random::new(1000 * seed + number);
-        let (motion, drives) = random_motion(&mut random, &reference);
-        let expected = reference.solve_driven(&motion, &drives);
-        let state = generated.state(&motion.q, &motion.v);
-        let answer = generated.answer(&state, &generated.inputs(&drives));
-        for (what, off) in differences(&answer, &expected) {
-            assert!(off < TOLERANCE, "{name}, seed {seed}, motion {number}: {what} off by {off:e}");
-            largest = worst(largest, off);
-        }
-    }
-    println!("{name} {largest:.1e}");
-}
-
-/// Where reactions are not unique, the reference has the same motion but not the same loads.
-fn differences<P: ComparedPoint>(
-    answer: &Answer<P>,
-    expected: &Solution,
-) -> Vec<(&'static str, f64)> {
-    let energies = [expected.kinetic_energy, expected.potential_energy];
-    let fast = [answer.fast_energy.kinetic, answer.fast_energy.potential];
-    let mut differences = vec![
-        ("accelerations", difference(&answer.accelerations, &expected.accelerations)),
-        ("fast accelerations", difference(&answer.fast_accelerations, &expected.accelerations)),
-        ("points", motions_match(&answer.points, expected)),
-        ("energy", difference(&[answer.energy.kinetic, answer.energy.potential], &energies)),
-        ("fast energy", difference(&fast, &energies)),
-    ];
-    if expected.reactions_unique {
-        differences.push(("efforts", difference(&answer.efforts, &expected.efforts.concat())));
-        differences.push(("loads", loads_match(&answer.points, expected)));
-    }
-    differences
-}
-
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 /// Puts each bad number at every place of a state and of what drives a chain: no result stays, and the next
@@ -253,8 +205,8 @@ macro_rules! seeds {
         $(
             #[test]
             fn $test() {
-                compare::<chains::$riccati<f64>>(stringify!($riccati), $seed);
-                compare::<chains::$transfer<f64>>(stringify!($transfer), $seed);
+                compare::<chains::$riccati<f64>>(stringify!($riccati), &chain($seed), $seed);
+                compare::<chains::$transfer<f64>>(stringify!($transfer), &chain($seed), $seed);
             }
         )*
 

@@ -9,6 +9,7 @@ printed! {
         j1: drives.efforts[0],
     }
     hinges j1 j2;
+    springs s1 s2;
 pub chain {
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
@@ -35,6 +36,7 @@ printed! {
     Random1R Random1T, PlanePoint, energy(state);
     inputs |_drives| {}
     hinges;
+    springs;
 pub plane chain {
     gravity = [0.0, -9.8] m/s^2;
     body B1 {
@@ -56,6 +58,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
+    springs s1;
 pub chain {
     gravity = input;
     body B1 {
@@ -104,6 +107,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
+    springs;
 pub chain {
     gravity = input;
     body B1 {
@@ -140,6 +144,7 @@ printed! {
         base: line_frame(&drives.start),
     }
     hinges j1 j2;
+    springs s1 s2;
 pub line chain {
     gravity = 0.0 m/s^2;
     body B1 {
@@ -167,6 +172,7 @@ printed! {
         j1: drives.efforts[0],
     }
     hinges j1;
+    springs;
 pub chain {
     gravity = [-1.42, 3.23, 4.96] m/s^2;
     body B1 {
@@ -189,6 +195,7 @@ printed! {
         l1_force: part(&drives.loads[0].force, 0).into(),
     }
     hinges j1 j2 j3 j4 j5;
+    springs s1;
 pub plane chain {
     gravity = [0.0, 0.0] m/s^2;
     body B1 {
@@ -239,6 +246,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
+    springs s1 s2;
 pub chain {
     gravity = input;
     body B1 {
@@ -281,6 +289,7 @@ printed! {
         l1_torque: drives.loads[0].torque.into(),
     }
     hinges j1 j2 j3;
+    springs s1;
 pub chain {
     gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
@@ -308,6 +317,7 @@ printed! {
         j1: floating(&drives.motions[0]),
     }
     hinges j1;
+    springs s1;
 pub chain {
     gravity = [4.24, -4.72, 5.03] m/s^2;
     body B1 {
@@ -330,6 +340,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3;
+    springs s1;
 pub chain {
     gravity = input;
     body B1 {
@@ -371,6 +382,7 @@ printed! {
         l1_force: part(&drives.loads[0].force, 0).into(),
     }
     hinges j1 j2 j3;
+    springs s1;
 pub plane chain {
     gravity = [0.0, 0.0] m/s^2;
     body B1 {
@@ -405,6 +417,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3;
+    springs s1;
 pub chain {
     gravity = input;
     body B1 {
@@ -434,6 +447,7 @@ printed! {
         base: space_frame(&drives.start),
     }
     hinges j1;
+    springs;
 pub chain {
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
@@ -454,6 +468,7 @@ printed! {
         l1_force: drives.loads[0].force[0],
     }
     hinges j1 j2 j3 j4;
+    springs s1 s2;
 pub line chain {
     gravity = -5.48 m/s^2;
     body B1 {
@@ -496,6 +511,7 @@ printed! {
         j4: vector(&drives.efforts, [3, 4]),
     }
     hinges j1 j2 j3 j4;
+    springs s1;
 pub chain {
     gravity = [0.0, -9.8, 0.0] m/s^2;
     body B1 {
@@ -537,6 +553,7 @@ printed! {
         gravity: part(&drives.gravity, 0).into(),
     }
     hinges j1 j2 j3;
+    springs;
 pub plane chain {
     gravity = input;
     body B1 {
@@ -570,6 +587,7 @@ printed! {
         l1_torque: drives.loads[0].torque.into(),
     }
     hinges j1 j2;
+    springs;
 pub chain {
     gravity = [0.0, 0.0, -9.81] m/s^2;
     body B1 {
@@ -593,6 +611,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
+    springs;
 pub chain {
     gravity = input;
     body B1 {
@@ -635,6 +654,7 @@ printed! {
         gravity: drives.gravity.into(),
     }
     hinges j1 j2;
+    springs s1;
 pub chain {
     gravity = input;
     body B1 {
@@ -669,6 +689,7 @@ printed! {
         l1_torque: drives.loads[0].torque.into(),
     }
     hinges j1 j2;
+    springs s1;
 pub chain {
     gravity = [4.27, 5.16, -4.62] m/s^2;
     body B1 {
@@ -701,6 +722,7 @@ printed! {
         l2_torque: drives.loads[1].torque.into(),
     }
     hinges j1 j2 j3 j4 j5;
+    springs;
 pub chain {
     gravity = [-1.28, 4.58, 0.0] m/s^2;
     body B1 {

@@ -1,6 +1,6 @@
 //! A common interface of the printed chains.
 
-use mstmm::{ChainState, ConnectionPoint, Energy, GeneratedChain};
+use mstmm::{ChainState, ConnectionPoint, Energy, GeneratedChain, SpringResult};
 use mstmm_reference::Drives;
 use nalgebra::SVector;
 
@@ -12,6 +12,8 @@ pub struct Answer<P> {
     /// By `solve_into`.
     pub accelerations: Vec<f64>,
     pub efforts: Vec<f64>,
+    /// Length, rate of the length, tension and force of every spring.
+    pub springs: Vec<f64>,
     pub points: Vec<P>,
     pub energy: Energy<f64>,
 }
@@ -32,21 +34,39 @@ pub trait Printed: GeneratedChain<Scalar = f64> + Default {
     }
 }
 
-/// Makes a printed chain by both methods, and gives each its face: the kind of its points, the energy
-/// with as many arguments as it takes, the fields of its inputs, and its hinges.
+/// Makes a printed chain by both methods, or by the default method, and gives each its face: the kind
+/// of its points, the energy with as many arguments as it takes, the fields of its inputs, its hinges
+/// and its springs.
 macro_rules! printed {
     (
         $riccati:ident $transfer:ident, $point:ident, $energy:ident $arguments:tt;
         inputs |$drives:ident| $inputs:tt
         hinges $($hinge:ident)*;
+        springs $($spring:ident)*;
         pub $($kind:ident)+ { $($items:tt)* }
     ) => {
         mstmm::mstmm_chain! {
             pub $($kind)+ $riccati { method = riccati; $($items)* }
             pub $($kind)+ $transfer { method = transfer; $($items)* }
         }
-        $crate::random::face::face! { $riccati $point $energy $arguments $drives $inputs $($hinge)* }
-        $crate::random::face::face! { $transfer $point $energy $arguments $drives $inputs $($hinge)* }
+        $crate::random::face::face! {
+            $riccati $point $energy $arguments $drives $inputs $($hinge)*; $($spring)*
+        }
+        $crate::random::face::face! {
+            $transfer $point $energy $arguments $drives $inputs $($hinge)*; $($spring)*
+        }
+    };
+    (
+        $name:ident, $point:ident, $energy:ident $arguments:tt;
+        inputs |$drives:ident| $inputs:tt
+        hinges $($hinge:ident)*;
+        springs $($spring:ident)*;
+        pub $($kind:ident)+ { $($items:tt)* }
+    ) => {
+        mstmm::mstmm_chain! { pub $($kind)+ $name { $($items)* } }
+        $crate::random::face::face! {
+            $name $point $energy $arguments $drives $inputs $($hinge)*; $($spring)*
+        }
     };
 }
 pub(crate) use printed;
@@ -55,7 +75,7 @@ pub(crate) use printed;
 macro_rules! face {
     (
         $name:ident $point:ident $energy:ident ($($argument:ident),*)
-        $drives:ident { $($field:ident: $value:expr,)* } $($hinge:ident)*
+        $drives:ident { $($field:ident: $value:expr,)* } $($hinge:ident)*; $($spring:ident)*
     ) => {
         impl $crate::random::face::Printed for $name<f64> {
             type Point = mstmm::$point<f64>;
@@ -77,12 +97,15 @@ macro_rules! face {
                 self.solve_into(state, inputs, &mut at).expect("a regular chain");
                 let efforts: Vec<Vec<f64>> =
                     vec![$( $crate::random::face::Numbers::list(at.$hinge().effort()) ),*];
+                let springs: Vec<Vec<f64>> =
+                    vec![$( $crate::random::face::spring(at.$spring()) ),*];
                 let given = $crate::random::face::Given { state, inputs };
                 $crate::random::face::Answer {
                     fast_accelerations: fast.as_slice().to_vec(),
                     fast_energy: self.$energy($(given.$argument),*),
                     accelerations: at.accelerations().as_slice().to_vec(),
                     efforts: efforts.concat(),
+                    springs: springs.concat(),
                     points: at.points().to_vec(),
                     energy: mstmm::Energy {
                         kinetic: at.kinetic_energy(),
@@ -101,7 +124,13 @@ pub struct Given<'a, S, I> {
     pub inputs: &'a I,
 }
 
-/// The efforts of any hinge.
+/// The values of a spring.
+pub fn spring<V: Numbers + Copy>(spring: SpringResult<f64, V>) -> Vec<f64> {
+    let lengths = [spring.length(), spring.length_rate(), spring.tension()];
+    [&lengths[..], &spring.force().list()].concat()
+}
+
+/// The efforts of any hinge, or the force of a spring.
 pub trait Numbers {
     fn list(self) -> Vec<f64>;
 }

@@ -4,7 +4,8 @@ use mstmm_reference::{Chain, Dimension, Drives, End, Gravity, Hinge, HingeKind, 
 
 const INDENT: &str = "    ";
 
-/// The call that makes a chain by both methods and gives each its face.
+/// The call that makes a chain by both methods and gives each its face; of a tree, by the default
+/// method.
 pub fn printed(chain: &Chain) -> String {
     let (name, description) = (&chain.name, chain.to_macro_text(None));
     let description = description.replacen(&format!(" {name} {{"), " {", 1);
@@ -14,16 +15,24 @@ pub fn printed(chain: &Chain) -> String {
         Dimension::Line => "LinePoint",
     };
     let moving = |end: &End| matches!(end, End::Moving { .. });
-    let told = moving(&chain.start) || moving(&chain.finish) || prescribed(chain).next().is_some();
+    let starts = chain.later_routes.iter().map(|route| &route.start);
+    let told = starts.chain([&chain.start, &chain.finish]).any(moving)
+        || prescribed(chain).next().is_some();
     let energy = if told { "energy_with(state, inputs)" } else { "energy(state)" };
     let fields = inputs(chain);
     let drives = if fields.is_empty() { "_drives" } else { "drives" };
     let fields: String = fields.iter().map(|field| format!("        {field},\n")).collect();
     let fields = if fields.is_empty() { "{}".to_owned() } else { format!("{{\n{fields}    }}") };
     let hinges: String = chain.hinges().map(|hinge| format!(" {}", hinge.name)).collect();
+    let springs: String = chain.springs.iter().map(|spring| format!(" {}", spring.name)).collect();
+    let names = match chain.later_routes[..] {
+        [] => format!("{name}R {name}T"),
+        _ => name.clone(),
+    };
     format!(
-        "\nprinted! {{\n    {name}R {name}T, {point}, {energy};\n\
-         {INDENT}inputs |{drives}| {fields}\n{INDENT}hinges{hinges};\n{description}}}\n"
+        "\nprinted! {{\n    {names}, {point}, {energy};\n\
+         {INDENT}inputs |{drives}| {fields}\n{INDENT}hinges{hinges};\n{INDENT}springs{springs};\n\
+         {description}}}\n"
     )
 }
 
@@ -42,6 +51,11 @@ fn inputs(chain: &Chain) -> Vec<String> {
     for (end, which) in [(&chain.start, "start"), (&chain.finish, "finish")] {
         if let End::Moving { name } = end {
             fields.push(format!("{name}: {frame}(&drives.{which})"));
+        }
+    }
+    for (place, route) in chain.later_routes.iter().enumerate() {
+        if let End::Moving { name } = &route.start {
+            fields.push(format!("{name}: {frame}(&drives.route_starts[{place}])"));
         }
     }
     for (place, hinge) in prescribed(chain).enumerate() {

@@ -44,7 +44,7 @@ fn one_chain(seed: u64) -> f64 {
     let expected = truth.solve_driven(&state, &driven);
     let text = truth.to_macro_text(None);
     let chain = read(&text);
-    let inputs = drives::inputs(&chain, &driven);
+    let inputs = drives::inputs(&chain, &truth, &driven);
     let mut worst = 0.0_f64;
     for way in WAYS {
         let computed = compute_with::<f64>(&chain, way, (&state.q, &state.v, &inputs));

@@ -29,7 +29,7 @@ fn bias_efforts_are_those_of_prescribed_hinges() {
         let text = with("answers = bias_efforts;", &description.to_macro_text(None));
         let chain = read(&text);
         let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
-        let inputs = drives::inputs(&chain, &driven);
+        let inputs = drives::inputs(&chain, &description, &driven);
         let unknowns = [&state.q[..], &state.v, &inputs, &[0.0]].concat();
         let given = Given::new(&compiled, &unknowns);
         let found = given.run(Answer::BiasEfforts).expect("finite numbers");

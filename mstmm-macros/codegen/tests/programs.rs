@@ -48,7 +48,7 @@ fn one_chain(seed: u64) {
     {
         let chain = read(&description.to_macro_text(Some(word)));
         let compiled = compile(&chain, &Findings::default(), &Layout::of(&chain));
-        let inputs = drives::inputs(&chain, &driven);
+        let inputs = drives::inputs(&chain, &description, &driven);
         let unknowns = [&state.q[..], &state.v, &inputs, &[0.0]].concat();
         let given = Given::new(&compiled, &unknowns);
         let run = |answer| given.run(answer).unwrap_or_else(|failed| panic!("{seed}: {failed:?}"));

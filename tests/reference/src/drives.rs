@@ -108,6 +108,15 @@ impl Chain {
             || self.loads.iter().any(|l| l.force == Source::Input || l.torque == Source::Input)
     }
 
+    /// Returns the motion of the moving frame with the given name, if the chain has one.
+    pub fn frame_motion<'a>(&self, drives: &'a Drives, name: &str) -> Option<&'a FrameMotion> {
+        let is_it = |end: &End| matches!(end, End::Moving { name: own } if own == name);
+        let starts = self.routes().map(|(start, _, _)| start);
+        let motions = std::iter::once(&drives.start).chain(&drives.route_starts);
+        let ends = starts.zip(motions).chain([(self.attached_finish(), &drives.finish)]);
+        ends.into_iter().find(|(end, _)| is_it(end)).map(|(_, motion)| motion)
+    }
+
     pub(crate) fn check_lengths(&self, state: &State, drives: &Drives) {
         assert_eq!(state.q.len(), self.coordinates(), "chain {}: coordinates", self.name);
         assert_eq!(state.v.len(), self.dof_count(), "chain {}: rates", self.name);

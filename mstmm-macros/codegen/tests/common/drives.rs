@@ -1,7 +1,7 @@
 //! Converts the drives of the reference solver to inputs of the compiler.
 
 use mstmm_codegen::model::{
-    Attachment, Chain, Drive, Effort, Element, HingeId, HingeKind, Input, InputKind, Layout,
+    Chain, Drive, Effort, Hinge, HingeId, HingeKind, Input, InputKind, Layout,
 };
 use mstmm_reference::{Drives, FrameMotion};
 
@@ -15,8 +15,8 @@ pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
     layout.inputs.iter().flat_map(of).collect()
 }
 
-/// Returns the inputs for `drives`.
-pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
+/// Returns the inputs for `drives` of the same chain of the reference.
+pub fn inputs(chain: &Chain, truth: &mstmm_reference::Chain, drives: &Drives) -> Vec<f64> {
     let layout = Layout::of(chain);
     let (translations, rotations) = (chain.dimension.translations(), chain.dimension.rotations());
     let pick = |vector: &[f64; 3], axes: &[usize]| axes.iter().map(|&k| vector[k]).collect();
@@ -26,7 +26,7 @@ pub fn inputs(chain: &Chain, drives: &Drives) -> Vec<f64> {
             InputKind::Force(load) => pick(&drives.loads[load.index()].force, translations),
             InputKind::Torque(load) => pick(&drives.loads[load.index()].torque, rotations),
             InputKind::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
-            InputKind::Motion(hinge) => motion(chain, hinge, drives),
+            InputKind::Motion(hinge) => motion(chain, hinge, truth, drives),
         }
     };
     layout.inputs.iter().flat_map(of).collect()
@@ -39,23 +39,20 @@ fn motor(chain: &Chain, layout: &Layout, hinge: HingeId, efforts: &[f64]) -> Vec
     given.map(|(_, &effort)| effort).collect()
 }
 
-fn motion(chain: &Chain, hinge: HingeId, drives: &Drives) -> Vec<f64> {
-    let on_route = |&&element: &&Element| match element {
-        Element::Hinge(index) => chain.hinges[index].is_prescribed(),
-        Element::Body(_) => false,
-    };
-    let mut prescribed = chain.elements.iter().filter(on_route);
-    if let Some(place) = prescribed.position(|&element| element == Element::Hinge(hinge)) {
-        let motion = &drives.motions[place];
-        return [&motion.q[..], &motion.v, &motion.a].concat();
+fn motion(
+    chain: &Chain,
+    hinge: HingeId,
+    truth: &mstmm_reference::Chain,
+    drives: &Drives,
+) -> Vec<f64> {
+    let Hinge { name, kind, .. } = &chain.hinges[hinge];
+    if let Some(frame) = truth.frame_motion(drives, &name.to_string()) {
+        return frame_motion(kind, frame);
     }
-    let body = chain.hinges[hinge].outboard.body();
-    let is_start = chain
-        .hinges
-        .iter()
-        .any(|hinge| matches!(hinge.inboard, Attachment::Output(at) if Some(at) == body));
-    let frame = if is_start { &drives.start } else { &drives.finish };
-    frame_motion(&chain.hinges[hinge].kind, frame)
+    let mut prescribed = truth.hinges().filter(|hinge| hinge.prescribed);
+    let place = prescribed.position(|hinge| *name == hinge.name).expect("a prescribed hinge");
+    let motion = &drives.motions[place];
+    [&motion.q[..], &motion.v, &motion.a].concat()
 }
 
 fn frame_motion(kind: &HingeKind, frame: &FrameMotion) -> Vec<f64> {
