@@ -72,13 +72,13 @@ pub fn state_from<S: ChainState + Default>(
 ) -> (S, Vec<S::Scalar>) {
     let mut state = S::default();
     let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
-    for (place, number) in
+    for (entry, number) in
         state.coordinates_mut().iter_mut().zip(numbers.by_ref().take(coordinates))
     {
-        *place = number;
+        *entry = number;
     }
-    for (place, number) in state.rates_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
-        *place = number;
+    for (entry, number) in state.rates_mut().iter_mut().zip(numbers.by_ref().take(rates)) {
+        *entry = number;
     }
     (state, numbers.collect())
 }

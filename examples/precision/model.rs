@@ -68,7 +68,7 @@ fn hinge(chain: &Chain, hinge: &Hinge) -> comparison::Hinge {
     let group = |group: &DofGroup| {
         let quaternion = group.representation == Representation::Quaternion;
         comparison::Group {
-            turns: group.rotational,
+            rotational: group.rotational,
             quaternion,
             rates: group.rates.clone().map(name).collect(),
             limits: group.rates.clone().map(|strain| limits(chain, hinge, strain)).collect(),

@@ -73,8 +73,8 @@ fn package_name(file: &Path) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     let mut hasher = DefaultHasher::new();
     fs::canonicalize(file).unwrap_or_else(|_| file.to_owned()).hash(&mut hasher);
-    let place = hasher.finish() as u32;
-    format!("precision-{}-{place:08x}", stem.chars().map(plain).collect::<String>())
+    let path_hash = hasher.finish() as u32;
+    format!("precision-{}-{path_hash:08x}", stem.chars().map(plain).collect::<String>())
 }
 
 /// Writes the package; returns the folder in which all packages are built, and the package's folder.

@@ -14,10 +14,10 @@ macro_rules! chains {
                     inertia = diag(0.1, 0.2, 0.3) kg*m^2 about com;
                 }
                 Rod hull -> repeat 3 { pin(z) a -> Rod la -> ball b -> Rod lb }
-                    -> pin(y) told -> Rod lt
+                    -> pin(y) driven -> Rod lt
                     -> repeat 2 { cylindrical c -> Rod lc -> weld w -> Rod lw -> pin(x) d -> Rod ld }
                     -> slider e -> Rod le;
-                hinge told { motion = input; }
+                hinge driven { motion = input; }
             }
         }
         mstmm_chain! {
@@ -32,11 +32,11 @@ macro_rules! chains {
                 Rod hull -> pin(z) a0 -> Rod la0 -> ball b0 -> Rod lb0
                     -> pin(z) a1 -> Rod la1 -> ball b1 -> Rod lb1
                     -> pin(z) a2 -> Rod la2 -> ball b2 -> Rod lb2
-                    -> pin(y) told -> Rod lt
+                    -> pin(y) driven -> Rod lt
                     -> cylindrical c0 -> Rod lc0 -> weld w0 -> Rod lw0 -> pin(x) d0 -> Rod ld0
                     -> cylindrical c1 -> Rod lc1 -> weld w1 -> Rod lw1 -> pin(x) d1 -> Rod ld1
                     -> slider e -> Rod le;
-                hinge told { motion = input; }
+                hinge driven { motion = input; }
             }
         }
     };
@@ -103,9 +103,9 @@ macro_rules! check {
         let mut state = repeated.initial_state();
         filled(&mut state);
         let twin = $unrolled_state { q: state.q, v: state.v, t: state.t };
-        let told = HingeMotion { state: PinState::new(0.3, 0.5), acceleration: 0.7 };
+        let driven = HingeMotion { state: PinState::new(0.3, 0.5), acceleration: 0.7 };
         let (mut inputs, mut same) = (repeated.no_inputs(), unrolled.no_inputs());
-        (inputs.told, same.told) = (told, told);
+        (inputs.driven, same.driven) = (driven, driven);
         let mut at = repeated.workspace();
         repeated.solve_into(&state, &inputs, &mut at).expect("a regular chain");
         let found = repeated.accelerations(&state, &inputs).expect("a regular chain");
@@ -131,7 +131,7 @@ macro_rules! check {
         }
         assert_eq!(at.e().acceleration(), accelerations[24]);
         // That of a prescribed hinge is known, and read by its name.
-        assert_eq!(at.told().acceleration(), 0.7);
+        assert_eq!(at.driven().acceleration(), 0.7);
     }};
 }
 

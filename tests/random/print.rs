@@ -16,9 +16,9 @@ pub fn printed(chain: &Chain) -> String {
     };
     let moving = |end: &End| matches!(end, End::Moving { .. });
     let starts = chain.later_routes.iter().map(|route| &route.start);
-    let told = starts.chain([&chain.start, &chain.finish]).any(moving)
+    let has_prescribed_motion = starts.chain([&chain.start, &chain.finish]).any(moving)
         || prescribed(chain).next().is_some();
-    let energy = if told { "energy_with(state, inputs)" } else { "energy(state)" };
+    let energy = if has_prescribed_motion { "energy_with(state, inputs)" } else { "energy(state)" };
     let fields = inputs(chain);
     let drives = if fields.is_empty() { "_drives" } else { "drives" };
     let fields: String = fields.iter().map(|field| format!("        {field},\n")).collect();

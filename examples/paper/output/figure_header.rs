@@ -52,15 +52,15 @@ impl Entry<'_> {
 /// The place of each entry in pixels.
 fn places(entries: &[Entry]) -> Vec<(u32, u32)> {
     let (mut x, mut y) = (LEFT, TITLE_HEIGHT + ROW_HEIGHT / 2);
-    let place = |entry: &Entry| {
+    let position = |entry: &Entry| {
         if x > LEFT && x + entry.width() > WIDTH {
             (x, y) = (LEFT, y + ROW_HEIGHT);
         }
-        let place = (x, y);
+        let here = (x, y);
         x += entry.width();
-        place
+        here
     };
-    entries.iter().map(place).collect()
+    entries.iter().map(position).collect()
 }
 
 /// The height of the header in pixels.

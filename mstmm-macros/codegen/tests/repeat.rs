@@ -26,7 +26,7 @@ fn results<S: Judge>(
     let results = roles.filter_map(|role| {
         let ArrayRole::Result(id) = role else { return None };
         match id {
-            outputs::AT_REST => None,
+            outputs::BASE_ACCELERATION => None,
             outputs::POINT_NUMBERS => Some((id.name, points(&twin.chain, &twin.compiled, &arrays))),
             outputs::SPRINGS => Some((id.name, springs(&twin.chain, &arrays))),
             // Pivots and the excess are measured by what would be there if nothing cancelled, which loops add up

@@ -108,7 +108,7 @@ fn compare<S: Judge>(twins: &Twins, state: u64, epsilon: f64) {
         let theirs = solve(&twins.unrolled, &written, answer);
         let roles = function.procedure.arrays.iter().map(|array| array.role);
         for id in roles.filter_map(|role| match role {
-            ArrayRole::Result(id) if id != outputs::AT_REST => Some(id),
+            ArrayRole::Result(id) if id != outputs::BASE_ACCELERATION => Some(id),
             _ => None,
         }) {
             let values = |twin: &Twin, arrays: &Arrays<S>| match id {

@@ -118,10 +118,10 @@ impl Report {
             .spawn()?;
         let output = output(emulator, PATIENCE)
             .with_context(|| format!("{} on the {}", image.display(), processor.name()))?;
-        let told = String::from_utf8_lossy(&output.stdout).into_owned();
+        let printed = String::from_utf8_lossy(&output.stdout).into_owned();
         let complaint = String::from_utf8_lossy(&output.stderr);
-        ensure!(output.status.success(), "{} failed: {told}{complaint}", image.display());
-        Ok(Self(told))
+        ensure!(output.status.success(), "{} failed: {printed}{complaint}", image.display());
+        Ok(Self(printed))
     }
 
     fn words(&self, name: &str) -> Result<Vec<u64>> {

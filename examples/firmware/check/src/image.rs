@@ -116,8 +116,8 @@ impl<'data> Code<'data> {
             let symbol = symbol.with_context(|| format!("no function begins at {address:#x}"))?;
             ensure!(symbol.size > 0, "the end of {} is unknown", symbol.name);
             let function = thumb::function(&self.parts(address, symbol.size)?);
-            if let Some(place) = function.unknown.first() {
-                bail!("the effect of {} at {place:#x} is unknown", symbol.name);
+            if let Some(address) = function.unknown.first() {
+                bail!("the effect of {} at {address:#x} is unknown", symbol.name);
             }
             waiting.extend(&function.calls);
             reached.insert(address, function);
@@ -129,11 +129,11 @@ impl<'data> Code<'data> {
     fn parts(&self, address: u32, size: u32) -> Result<Vec<(u32, &'data [u8])>> {
         let end = address + size;
         let last_before = self.kinds.range(..=address).next_back();
-        let mut places = vec![(address, last_before.is_none_or(|(_, &is_code)| is_code))];
+        let mut starts = vec![(address, last_before.is_none_or(|(_, &is_code)| is_code))];
         let inside = self.kinds.range(address + 1..end);
-        places.extend(inside.map(|(&place, &is_code)| (place, is_code)));
-        let ends = places.iter().skip(1).map(|&(place, _)| place).chain([end]);
-        let pieces = places.iter().zip(ends).filter(|((_, is_code), _)| *is_code);
+        starts.extend(inside.map(|(&address, &is_code)| (address, is_code)));
+        let ends = starts.iter().skip(1).map(|&(address, _)| address).chain([end]);
+        let pieces = starts.iter().zip(ends).filter(|((_, is_code), _)| *is_code);
         pieces
             .map(|(&(start, _), end)| {
                 let range = (start - self.start) as usize..(end - self.start) as usize;

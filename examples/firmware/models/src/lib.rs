@@ -56,12 +56,12 @@ pub trait Model: Chain<Scalar: Number> + Sized {
     fn for_each_bad_state(&self, mut work: impl FnMut(Self::State)) {
         let start = self.start();
         let coordinates = start.coordinates().len();
-        for place in 0..coordinates + start.rates().len() {
+        for index in 0..coordinates + start.rates().len() {
             for bad in Self::Scalar::BAD {
                 let mut state = start.clone();
-                if let Some(number) = state.coordinates_mut().get_mut(place) {
+                if let Some(number) = state.coordinates_mut().get_mut(index) {
                     *number = bad;
-                } else if let Some(number) = state.rates_mut().get_mut(place - coordinates) {
+                } else if let Some(number) = state.rates_mut().get_mut(index - coordinates) {
                     *number = bad;
                 }
                 work(state);

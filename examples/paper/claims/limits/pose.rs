@@ -85,12 +85,12 @@ impl Pose {
     /// The motion of every cube with this precision in binary digits.
     pub fn placed(&self, digits: usize) -> Vec<Placed> {
         let (mut rotation, mut angular_velocity) = (Matrix3::identity(), Vector3::zeros());
-        let place = |joint: &Joint| {
+        let placed = |joint: &Joint| {
             rotation = &rotation * joint.rotation(digits);
             angular_velocity += &rotation * joint.rate(digits);
             Placed { rotation: rotation.clone(), angular_velocity: angular_velocity.clone() }
         };
-        self.joints.iter().map(place).collect()
+        self.joints.iter().map(placed).collect()
     }
 }
 

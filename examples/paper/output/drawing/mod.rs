@@ -156,16 +156,16 @@ impl Canvas {
     pub fn support(&mut self, at: Point, outwards: f64) {
         let (sine, cosine) = outwards.sin_cos();
         // Pixels along and across the support.
-        let place = |canvas: &Self, out: f64, across: f64| {
+        let point = |canvas: &Self, out: f64, across: f64| {
             canvas.beside(at, [out * cosine - across * sine, out * sine + across * cosine])
         };
-        self.line(place(self, -9.0, -24.0), place(self, -9.0, 24.0));
+        self.line(point(self, -9.0, -24.0), point(self, -9.0, 24.0));
         for k in 0..6 {
             let across = -20.0 + 8.0 * f64::from(k);
-            self.line(place(self, -9.0, across), place(self, -17.0, across - 8.0));
+            self.line(point(self, -9.0, across), point(self, -17.0, across - 8.0));
         }
-        self.line(place(self, -9.0, -9.0), at);
-        self.line(place(self, -9.0, 9.0), at);
+        self.line(point(self, -9.0, -9.0), at);
+        self.line(point(self, -9.0, 9.0), at);
     }
 
     /// A wall on the left of a point.

@@ -155,17 +155,17 @@ impl MotionError {
     /// Returns the difference of coordinates only.
     pub fn of_coordinates(a: &[f64], b: &[f64], description: &Description) -> Self {
         let mut apart = Self::default();
-        let mut place = 0;
+        let mut start = 0;
         for group in description.groups() {
-            let range = place..place + group.coordinates();
-            place = range.end;
+            let range = start..start + group.coordinates();
+            start = range.end;
             let (a, b) = (&a[range.clone()], &b[range]);
             let error = if group.quaternion {
                 angle_between([a[0], a[1], a[2], a[3]], [b[0], b[1], b[2], b[3]])
             } else {
                 largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
             };
-            let of_kind = if group.turns { &mut apart.turn } else { &mut apart.shift };
+            let of_kind = if group.rotational { &mut apart.turn } else { &mut apart.shift };
             *of_kind = largest([*of_kind, error]);
         }
         apart

@@ -67,7 +67,7 @@ pub struct Hinge {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Group {
     /// Whether they are rotations; otherwise they are translations.
-    pub turns: bool,
+    pub rotational: bool,
     /// Whether the coordinates are a quaternion; otherwise there is one coordinate for each.
     pub quaternion: bool,
     /// The names of their rates; empty for a hinge with a single rate.
@@ -112,16 +112,16 @@ impl Description {
 
     /// Returns for each rate whether it is rotational.
     pub fn turning(&self) -> Vec<bool> {
-        self.groups().flat_map(|group| group.rates.iter().map(|_| group.turns)).collect()
+        self.groups().flat_map(|group| group.rates.iter().map(|_| group.rotational)).collect()
     }
 
     /// Returns the name of the first rate for which `is` returns true.
     pub fn rate_name(&self, number: usize) -> String {
         let names = self.hinges().flat_map(|(time, hinge)| {
-            let place = time.map_or(String::new(), |time| format!("[{time}]"));
+            let repetition = time.map_or(String::new(), |time| format!("[{time}]"));
             hinge.groups.iter().flat_map(|group| &group.rates).map(move |rate| {
                 let dot = if rate.is_empty() { "" } else { "." };
-                format!("{}{place}{dot}{rate}", hinge.name)
+                format!("{}{repetition}{dot}{rate}", hinge.name)
             })
         });
         names.into_iter().nth(number).unwrap_or_default()

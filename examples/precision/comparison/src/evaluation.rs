@@ -148,21 +148,23 @@ where
 /// Returns the largest error relative to the largest acceleration, of rotations and of translations.
 fn of_accelerations(found: &[f64], truth: &[f64], turning: &[bool], sizes: [f64; 2]) -> f64 {
     let errors: Vec<f64> = found.iter().zip(truth).map(|(found, truth)| found - truth).collect();
-    let of_kind = |turns| relative(largest_of(&errors, turning, turns), sizes[usize::from(turns)]);
+    let of_kind = |rotational| {
+        relative(largest_of(&errors, turning, rotational), sizes[usize::from(rotational)])
+    };
     largest([true, false].map(of_kind))
 }
 
 /// Returns the largest translational and the largest rotational acceleration. If one kind is zero up to
 /// rounding, as in a closed chain that cannot rotate, it follows from the other by the chain's size.
 fn sizes(truth: &[f64], turning: &[bool], length: f64) -> [f64; 2] {
-    let [shift, turn] = [false, true].map(|turns| largest_of(truth, turning, turns));
+    let [shift, turn] = [false, true].map(|rotational| largest_of(truth, turning, rotational));
     let or = |own: f64, other: f64| if own <= NOTHING * other { other } else { own };
     [or(shift, turn * length), or(turn, shift / length)]
 }
 
 /// Returns the largest acceleration of one kind.
-fn largest_of(numbers: &[f64], turning: &[bool], turns: bool) -> f64 {
-    let of_kind = numbers.iter().zip(turning).filter(|&(_, &turning)| turning == turns);
+fn largest_of(numbers: &[f64], turning: &[bool], rotational: bool) -> f64 {
+    let of_kind = numbers.iter().zip(turning).filter(|&(_, &turning)| turning == rotational);
     largest(of_kind.map(|(number, _)| number.abs()))
 }
 

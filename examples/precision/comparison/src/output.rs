@@ -117,7 +117,8 @@ impl Text {
             true => format!("{way:.1e} {unit}"),
             false => "–".to_owned(),
         };
-        let has = |turns: bool| description.groups().any(|group| group.turns == turns);
+        let has =
+            |rotational: bool| description.groups().any(|group| group.rotational == rotational);
         for row in &motion.differences {
             self.line(format_args!(
                 "{:28}{:>12}{:>12}{:10.1e} m{:>12}",

@@ -89,13 +89,13 @@ impl Start {
                 break;
             }
             let mut q = doubles(state.coordinates());
-            let mut place = 0;
+            let mut start = 0;
             for group in description.groups() {
-                let own = &mut q[place..place + group.coordinates()];
-                place += own.len();
-                match group.turns {
-                    true if group.quaternion => own.copy_from_slice(&turn(&mut random)),
-                    true => own.fill_with(|| random.between(-PI, PI)),
+                let coordinates = &mut q[start..start + group.coordinates()];
+                start += coordinates.len();
+                match group.rotational {
+                    true if group.quaternion => coordinates.copy_from_slice(&turn(&mut random)),
+                    true => coordinates.fill_with(|| random.between(-PI, PI)),
                     false => {}
                 }
             }
@@ -175,8 +175,8 @@ impl<'a> Sampler<'a> {
         let (description, q) = (self.description, &self.start.q);
         for (_, hinge) in description.hinges() {
             for group in &hinge.groups {
-                let place = sample.q.len();
-                let start = &q[place..place + group.coordinates()];
+                let first = sample.q.len();
+                let start = &q[first..first + group.coordinates()];
                 self.coordinates(hinge, group, start, &mut sample.q);
                 self.rates(hinge, group, self.scales.rate, &mut sample.v);
             }
@@ -203,8 +203,11 @@ impl<'a> Sampler<'a> {
         let Scales { rate, force, moment, .. } = self.scales;
         match what {
             InputKind::Gravity(count) => numbers.extend((0..*count).map(|_| self.within(FALL))),
-            InputKind::Efforts(turns) => numbers
-                .extend(turns.iter().map(|&turns| self.within(if turns { moment } else { force }))),
+            InputKind::Efforts(rotational) => numbers.extend(
+                rotational
+                    .iter()
+                    .map(|&rotational| self.within(if rotational { moment } else { force })),
+            ),
             InputKind::Motion(hinge) => {
                 for group in &hinge.groups {
                     let zero = zero_position(group);
@@ -226,7 +229,7 @@ impl<'a> Sampler<'a> {
             q.extend(product(from, turn));
             return;
         }
-        let bound = match (group.turns, closed, hinge.elastic) {
+        let bound = match (group.rotational, closed, hinge.elastic) {
             (true, true, _) => CLOSED,
             (true, false, true) => ELASTIC,
             (true, false, false) => PI,
@@ -235,7 +238,7 @@ impl<'a> Sampler<'a> {
         for (&start, limits) in start.iter().zip(&group.limits) {
             q.push(match limits {
                 Some([low, high]) if !closed => self.random.between(*low, *high),
-                _ if group.turns && !closed && !hinge.elastic => self.within(bound),
+                _ if group.rotational && !closed && !hinge.elastic => self.within(bound),
                 _ => start + self.within(bound),
             });
         }
@@ -243,7 +246,7 @@ impl<'a> Sampler<'a> {
 
     /// Adds rates, or their derivatives.
     fn rates(&mut self, hinge: &Hinge, group: &Group, bound: f64, v: &mut Vec<f64>) {
-        let bound = if group.turns { bound } else { bound * self.way(hinge) };
+        let bound = if group.rotational { bound } else { bound * self.way(hinge) };
         v.extend(group.rates.iter().map(|_| self.within(bound)));
     }
 
@@ -294,7 +297,7 @@ impl Description {
     pub fn no_inputs(&self) -> Vec<f64> {
         let numbers = |what: &InputKind| match what {
             InputKind::Gravity(count) => vec![0.0; *count],
-            InputKind::Efforts(turns) => vec![0.0; turns.len()],
+            InputKind::Efforts(rotational) => vec![0.0; rotational.len()],
             InputKind::Motion(hinge) => {
                 let rates: usize = hinge.groups.iter().map(|group| group.rates.len()).sum();
                 let zero = hinge.groups.iter().flat_map(zero_position);

@@ -53,10 +53,13 @@ impl Scales {
         let moment = or(moment, force * size);
 
         let turning = description.turning();
-        let by_size = |numbers: &[f64]| {
-            let each = numbers.iter().zip(&turning);
-            largest(each.map(|(number, &turns)| number.abs() / if turns { 1.0 } else { size }))
-        };
+        let by_size =
+            |numbers: &[f64]| {
+                let each = numbers.iter().zip(&turning);
+                largest(each.map(|(number, &rotational)| {
+                    number.abs() / if rotational { 1.0 } else { size }
+                }))
+            };
         let at_start = by_size(&start.v);
         let still = Self { length: size, rate: 0.0, force, moment };
         let mut sampler = Sampler::new((description, start), still, settings);

@@ -19,8 +19,8 @@ impl Spread {
     pub fn of(mut errors: Vec<f64>) -> Option<Self> {
         errors.sort_by(f64::total_cmp);
         let quantile = |part: f64| {
-            let place = (part * errors.len() as f64).ceil() as usize;
-            errors.get(place.saturating_sub(1)).copied()
+            let rank = (part * errors.len() as f64).ceil() as usize;
+            errors.get(rank.saturating_sub(1)).copied()
         };
         Some(Self { median: quantile(0.5)?, most: quantile(0.99)?, worst: quantile(1.0)? })
     }

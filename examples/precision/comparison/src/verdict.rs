@@ -101,9 +101,9 @@ fn of_motion(motion: &Motion, description: &Description) -> Vec<String> {
 
 /// Returns the differences of rotations and translations, if the chain has them.
 fn ways(turn: f64, shift: f64, description: &Description) -> String {
-    let turns = description.groups().any(|group| group.turns);
-    let shifts = description.groups().any(|group| !group.turns);
-    let parts = [(turns, turn, "rad"), (shifts, shift, "m")];
+    let has_rotations = description.groups().any(|group| group.rotational);
+    let has_translations = description.groups().any(|group| !group.rotational);
+    let parts = [(has_rotations, turn, "rad"), (has_translations, shift, "m")];
     let parts = parts.into_iter().filter(|(has, ..)| *has);
     let parts: Vec<String> = parts.map(|(_, way, unit)| format!("{way:.1e} {unit}")).collect();
     parts.join(" and ")

@@ -230,8 +230,9 @@ impl<'a> ChainCompiler<'a> {
         let felt = |&axis: &usize| {
             if results.z { report.base_acceleration[axis] } else { Expr::Number(0.0) }
         };
-        let at_rest: Vec<Expr> = self.chain.dimension.translations().iter().map(felt).collect();
-        outputs.push(by_entry(self.once(outputs::AT_REST, &at_rest)));
+        let base_acceleration: Vec<Expr> =
+            self.chain.dimension.translations().iter().map(felt).collect();
+        outputs.push(by_entry(self.once(outputs::BASE_ACCELERATION, &base_acceleration)));
         if !springs.is_empty() {
             outputs.push(by_entry(self.springs(&springs)));
         }

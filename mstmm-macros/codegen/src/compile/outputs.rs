@@ -16,7 +16,7 @@ pub const UNDETERMINED: OutputId = OutputId::new("undetermined");
 /// The stored values of connection points.
 pub const POINT_NUMBERS: OutputId = OutputId::new("points");
 /// The proper acceleration of a point at rest: the negative of the acceleration of free fall.
-pub const AT_REST: OutputId = OutputId::new("at_rest");
+pub const BASE_ACCELERATION: OutputId = OutputId::new("base_acceleration");
 /// Length, rate of the length, tension and force of every spring.
 pub const SPRINGS: OutputId = OutputId::new("springs");
 /// The time derivatives of the coordinates.

@@ -47,7 +47,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         #[#inline]
         fn point_(&self, index_: ::core::primitive::usize) -> #point {
             #located
-            <#point>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+            <#point>::read(numbers_, Self::PLACES_.get(model_), self.base_acceleration)
         }
 
         #vector

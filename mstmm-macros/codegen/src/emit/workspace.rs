@@ -24,8 +24,9 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let translations = usize_literal(cx.chain.dimension.translations().len());
     let point_access = point_access::emit(cx);
     let (all_points, order) = (point_access::all(cx), orders::of_points(cx));
-    let [initial_numbers, initial_at_rest] =
-        [outputs::POINT_NUMBERS, outputs::AT_REST].map(|id| initial_values::array(cx, id));
+    let [initial_numbers, initial_base_acceleration] =
+        [outputs::POINT_NUMBERS, outputs::BASE_ACCELERATION]
+            .map(|id| initial_values::array(cx, id));
     let rates = usize_literal(cx.all_rates().total);
     let point = point_type(cx);
     let if_prescribed = |tokens: TokenStream| cx.chain.has_prescribed_hinges().then_some(tokens);
@@ -72,7 +73,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #energy_fields
             #closure_field
             numbers: [T; #number_count],
-            at_rest: [T; #translations],
+            base_acceleration: [T; #translations],
             #springs_field
         }
         #[allow(dead_code, non_snake_case)]
@@ -126,7 +127,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                     #energies_zero
                     #closure_zero
                     numbers: #initial_numbers,
-                    at_rest: #initial_at_rest,
+                    base_acceleration: #initial_base_acceleration,
                     #springs_zero
                 }
             }

@@ -220,25 +220,25 @@ impl Lowering<'_> {
             let results = &self.program.results[self.function.entries_of(output.id)];
             let by_entry = output.by_entry && failure == Some(Failure::Reset) && !self.looped;
             for (number, segment) in output.layout.segments.iter().enumerate() {
-                let own = &results[segment.entries()];
+                let entries = &results[segment.entries()];
                 let repetition =
                     if segment.repeat.is_some() { Repetition::All } else { Repetition::Only };
                 let kept = by_entry && segment.repeat.is_none();
-                let place = |first: usize| ArraySlice { array, segment: number, first, repetition };
+                let slice = |first: usize| ArraySlice { array, segment: number, first, repetition };
                 if !kept {
-                    if own.iter().any(Option::is_some) {
-                        steps.push(Step::Store { to: place(0), values: own.to_vec() });
+                    if entries.iter().any(Option::is_some) {
+                        steps.push(Step::Store { to: slice(0), values: entries.to_vec() });
                     }
                     continue;
                 }
-                for (first, value) in own.iter().enumerate() {
+                for (first, value) in entries.iter().enumerate() {
                     match value {
                         Some(Operand::Number(known)) => {
                             self.arrays[array].initial.push((segment.offset + first, *known));
                         }
                         Some(_) => {
                             let values = vec![value.clone()];
-                            steps.push(Step::Store { to: place(first), values });
+                            steps.push(Step::Store { to: slice(first), values });
                         }
                         None => bug!("a result is missing"),
                     }

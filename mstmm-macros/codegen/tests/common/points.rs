@@ -17,7 +17,7 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
         chain,
         layout: layouts::numbers_of_points(chain, &compiled.point_storage),
         numbers: full.result(outputs::POINT_NUMBERS),
-        at_rest: full.result(outputs::AT_REST),
+        base_acceleration: full.result(outputs::BASE_ACCELERATION),
     };
     let mut all = Vec::new();
     for segment in points.chunk_by(|one, next| one.0 == next.0) {
@@ -51,7 +51,7 @@ struct Reader<'a, S> {
     chain: &'a Chain,
     layout: ArrayLayout,
     numbers: Vec<S>,
-    at_rest: Vec<S>,
+    base_acceleration: Vec<S>,
 }
 
 impl<S: Judge> Reader<'_, S> {
@@ -98,7 +98,7 @@ impl<S: Judge> Reader<'_, S> {
         for ((kind, along), framed) in there.zip(&point.vectors) {
             let seen = inertial(framed, along);
             match kind {
-                2 => all.extend(seen.iter().zip(&self.at_rest).map(|(&a, &g)| a - g)),
+                2 => all.extend(seen.iter().zip(&self.base_acceleration).map(|(&a, &g)| a - g)),
                 _ => all.extend(seen),
             }
         }

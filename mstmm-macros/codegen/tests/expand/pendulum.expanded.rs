@@ -551,7 +551,7 @@ pub struct PendulumWorkspace<T> {
     kinetic_energy: T,
     potential_energy: T,
     numbers: [T; 27],
-    at_rest: [T; 3],
+    base_acceleration: [T; 3],
 }
 #[allow(dead_code, non_snake_case)]
 impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
@@ -621,7 +621,9 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
     #[inline(always)]
     fn point_(&self, index_: ::core::primitive::usize) -> ::mstmm::Point<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
-        <::mstmm::Point<T>>::read(numbers_, Self::PLACES_.get(model_), self.at_rest)
+        <::mstmm::Point<
+            T,
+        >>::read(numbers_, Self::PLACES_.get(model_), self.base_acceleration)
     }
     /// Returns acceleration, effort, input and output of hinge `joint`.
     #[inline]
@@ -688,7 +690,7 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
                 [T::constant(0.0); 27],
                 &[(1, T::constant(9.8f64)), (14, T::constant(1f64))],
             ),
-            at_rest: ::mstmm::generated::with_constants(
+            base_acceleration: ::mstmm::generated::with_constants(
                 [T::constant(0.0); 3],
                 &[(1, T::constant(9.8f64))],
             ),

@@ -139,7 +139,7 @@ fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
         }
         outputs::UNDETERMINED => Destination::Closure,
         outputs::POINT_NUMBERS => Destination::Array(quote!(at_.numbers)),
-        outputs::AT_REST => Destination::Array(quote!(at_.at_rest)),
+        outputs::BASE_ACCELERATION => Destination::Array(quote!(at_.base_acceleration)),
         outputs::SPRINGS => Destination::Array(quote!(at_.springs)),
         _ => bug!("a workspace has no place for `{}`", id.name),
     }

@@ -11,9 +11,9 @@ pub fn broken(text: &str, depth: usize) -> Vec<String> {
     let (mut lines, mut start, mut rest) = (Vec::new(), &first, text);
     while start.len() + rest.len() > WIDTH {
         let room = WIDTH - start.len().min(WIDTH);
-        let Some(place) = best_break(rest, room, comment) else { break };
-        lines.push(format!("{start}{}", rest[..place].trim_end()));
-        rest = rest[place..].trim_start();
+        let Some(index) = best_break(rest, room, comment) else { break };
+        lines.push(format!("{start}{}", rest[..index].trim_end()));
+        rest = rest[index..].trim_start();
         start = &next;
     }
     lines.push(format!("{start}{rest}"));
@@ -25,15 +25,15 @@ pub fn broken(text: &str, depth: usize) -> Vec<String> {
 fn best_break(text: &str, room: usize, comment: bool) -> Option<usize> {
     let mut depth = 0;
     let mut best: Option<(usize, usize)> = None;
-    for (place, letter) in text.char_indices().take_while(|&(place, _)| place <= room) {
+    for (index, letter) in text.char_indices().take_while(|&(index, _)| index <= room) {
         match letter {
             '(' | '[' => depth += 2,
             ')' | ']' if depth > 1 => depth -= 2,
             ' ' => {
-                let after = &text[place + 1..];
+                let after = &text[index + 1..];
                 let level = if comment {
                     Some(0)
-                } else if text[..place].ends_with(',')
+                } else if text[..index].ends_with(',')
                     || after.starts_with("+ ")
                     || after.starts_with("- ")
                 {
@@ -42,16 +42,16 @@ fn best_break(text: &str, room: usize, comment: bool) -> Option<usize> {
                     after.starts_with("* ").then_some(depth + 1)
                 };
                 if let Some(level) = level
-                    && place > 0
+                    && index > 0
                     && best.is_none_or(|(_, lowest)| level <= lowest)
                 {
-                    best = Some((place, level));
+                    best = Some((index, level));
                 }
             }
             _ => {}
         }
     }
-    best.map(|(place, _)| place)
+    best.map(|(index, _)| index)
 }
 
 #[cfg(test)]
