@@ -6,7 +6,7 @@
 //! repetitions on them are added up.
 
 use super::super::sweep::Flatten;
-use super::{PointForce, Springs};
+use super::{PointForce, SpringSpan, Springs, to_point};
 use crate::math::{Rotation, Scalar, Vec3};
 use crate::model::{BodyPoint, RepeatId, Spring, SpringEnd};
 
@@ -23,22 +23,6 @@ impl<S: Scalar> Flatten<S> for PointMotion<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
         let position = self.position.visit(replace);
         PointMotion { position, velocity: self.velocity.visit(replace) }
-    }
-}
-
-/// The motions of the ends `to` that are not in the same repetition as the ends `on`, by springs.
-pub(super) struct FarEnds<S>(Vec<Option<PointMotion<S>>>);
-
-impl<S> Default for FarEnds<S> {
-    fn default() -> Self {
-        FarEnds(Vec::new())
-    }
-}
-
-impl<S: Scalar> FarEnds<S> {
-    /// Returns the motion of the end `to` of a spring, if the end is a far one.
-    pub fn get(&self, spring: usize) -> Option<PointMotion<S>> {
-        *self.0.get(spring)?
     }
 }
 
@@ -118,8 +102,9 @@ impl<S: Scalar> Springs<'_, S> {
         }
     }
 
-    /// Returns the motions of all far ends.
-    pub(super) fn far_ends(&self) -> FarEnds<S> {
+    /// Returns the motions of the ends `to` that are not in the same repetition as the ends `on`, by
+    /// springs.
+    pub(super) fn far_ends(&self) -> Vec<Option<PointMotion<S>>> {
         let chain = self.context.chain;
         let mut ends: Vec<Option<PointMotion<S>>> = chain
             .springs
@@ -149,7 +134,7 @@ impl<S: Scalar> Springs<'_, S> {
                 self.context.tree.through((repeat, OUTWARD), first, |here| (next, here));
             points.into_iter().zip(here).for_each(|((index, _), here)| ends[index] = Some(here));
         }
-        FarEnds(ends)
+        ends
     }
 
     /// Returns the forces of the springs that are evaluated in the inertial frame.
@@ -158,14 +143,14 @@ impl<S: Scalar> Springs<'_, S> {
         let mut forces = Vec::new();
         // The reactions on the ends outside, inertial axes.
         let mut reactions = vec![Vec3::zero(); chain.springs.len()];
-        for (index, spring) in chain.springs.iter().enumerate() {
-            let super::SpringSpan::Far(end) = self.span(index) else { continue };
-            let force = self.force(spring, &self.far(spring, &end));
+        for (index, (spring, span)) in self.all().enumerate() {
+            let SpringSpan::Far(end) = span else { continue };
+            let force = self.force(spring, &self.far(spring, end));
             forces.extend(self.on_link(&spring.on, force));
             if self.outside(spring).is_some() {
                 reactions[index] = -force;
             } else {
-                forces.extend(self.on_link(super::to_point(spring), -force));
+                forces.extend(self.on_link(to_point(spring), -force));
             }
         }
         for repeat in chain.repeats.ids() {

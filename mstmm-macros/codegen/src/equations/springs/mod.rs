@@ -22,14 +22,15 @@ use super::sweep::PerLink;
 use crate::ids::LinkId;
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyPoint, Spring, SpringEnd};
-use far_ends::{FarEnds, PointMotion};
+use far_ends::PointMotion;
 
 /// The springs of a chain in a state.
 pub struct Springs<'a, S> {
     context: &'a EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
     poses: &'a PerLink<Pose<S>>,
-    far_ends: FarEnds<S>,
+    /// What each spring acts on.
+    spans: Vec<SpringSpan<S>>,
 }
 
 /// What a spring acts on.
@@ -70,8 +71,15 @@ impl<'a, S: Scalar> Springs<'a, S> {
         links: &'a PerLink<LinkKinematics<S>>,
         poses: &'a PerLink<Pose<S>>,
     ) -> Self {
-        let mut springs = Springs { context, links, poses, far_ends: FarEnds::default() };
-        springs.far_ends = springs.far_ends();
+        let mut springs = Springs { context, links, poses, spans: Vec::new() };
+        let far_ends = springs.far_ends().into_iter();
+        springs.spans = context
+            .chain
+            .springs
+            .iter()
+            .zip(far_ends)
+            .map(|(spring, end)| end.map_or_else(|| springs.span(spring), SpringSpan::Far))
+            .collect();
         springs
     }
 
@@ -81,15 +89,15 @@ impl<'a, S: Scalar> Springs<'a, S> {
             let wrench = Wrench { force, moment: Vec3::zero() };
             wrenches[link] = wrenches[link] + wrench.shifted_from(arm);
         };
-        for (index, spring) in self.context.chain.springs.iter().enumerate() {
-            match self.span(index) {
+        for (spring, span) in self.all() {
+            match span {
                 SpringSpan::AtRest | SpringSpan::Far(_) => {}
-                SpringSpan::OneLink { link, reversed } => {
+                &SpringSpan::OneLink { link, reversed } => {
                     let (arm, _, motion) = self.on_one_link(spring, link, reversed);
                     add(PointForce { link, arm, force: self.force(spring, &motion) });
                 }
                 SpringSpan::TwoLinks { paths, .. } => {
-                    self.forces_on_two_links(spring, &paths).into_iter().for_each(&mut add);
+                    self.forces_on_two_links(spring, paths).into_iter().for_each(&mut add);
                 }
             }
         }
@@ -99,17 +107,16 @@ impl<'a, S: Scalar> Springs<'a, S> {
     /// Returns the energy of the springs in J whose end `on` is on this link, or at rest.
     pub fn energy(&self, on: Option<LinkId>) -> S {
         let mut energy = S::zero();
-        for (index, spring) in self.context.chain.springs.iter().enumerate() {
-            let span = self.span(index);
+        for (spring, span) in self.all() {
             let link = match span {
-                SpringSpan::OneLink { link, .. } => Some(link),
+                SpringSpan::OneLink { link, .. } => Some(*link),
                 _ => self.link_at(&spring.on),
             };
             if link != on {
                 continue;
             }
             let values = self.context.values;
-            let displacement = self.inertial_displacement(spring, &span);
+            let displacement = self.inertial_displacement(spring, span);
             let stretch = if spring.length.is_zero() {
                 displacement.dot(displacement)
             } else {
@@ -135,11 +142,13 @@ impl<'a, S: Scalar> Springs<'a, S> {
         }
     }
 
-    fn span(&self, index: usize) -> SpringSpan<S> {
-        let spring = &self.context.chain.springs[index];
-        if let Some(end) = self.far_ends.get(index) {
-            return SpringSpan::Far(end);
-        }
+    /// Iterates over all springs with what they act on.
+    fn all(&self) -> impl Iterator<Item = (&'a Spring, &SpringSpan<S>)> {
+        self.context.chain.springs.iter().zip(&self.spans)
+    }
+
+    /// Returns what a spring acts on whose ends are in the same repetition.
+    fn span(&self, spring: &Spring) -> SpringSpan<S> {
         let to = match &spring.to {
             SpringEnd::Ground(_) => None,
             SpringEnd::Body(point) | SpringEnd::Previous { point, .. } => self.link_at(point),

@@ -4,6 +4,7 @@ use super::super::kinematics::poses;
 use super::super::{Axes, EvalContext, Trace, kinematics};
 use super::{SpringSpan, Springs, regular_length};
 use crate::math::{Scalar, Vec3};
+use crate::model::Spring;
 
 /// The state of a spring.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +32,7 @@ pub fn spring_report<S: Scalar>(
     let links = kinematics(context, axes, &mut Trace::silent());
     let poses = poses(context, &links);
     let springs = Springs::new(context, &links, &poses);
-    let reports = (0..chain.springs.len()).map(|index| springs.report(index));
+    let reports = springs.all().map(|(spring, span)| springs.report(spring, span));
     let reports: Vec<SpringReport<S>> = reports.collect();
     trace.section("springs", "Springs", "");
     for (spring, report) in chain.springs.iter().zip(&reports) {
@@ -45,11 +46,9 @@ pub fn spring_report<S: Scalar>(
 }
 
 impl<S: Scalar> Springs<'_, S> {
-    fn report(&self, index: usize) -> SpringReport<S> {
-        let spring = &self.context.chain.springs[index];
-        let span = self.span(index);
+    fn report(&self, spring: &Spring, span: &SpringSpan<S>) -> SpringReport<S> {
         // The vector `r` or its opposite, inertial axes.
-        let (motion, inertial, reversed) = match &span {
+        let (motion, inertial, reversed) = match span {
             SpringSpan::AtRest => {
                 let motion = self.at_rest(spring);
                 let inertial = motion.displacement;
