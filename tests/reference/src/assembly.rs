@@ -6,6 +6,7 @@ use crate::hinge::{Group, Hinge, Source};
 use crate::mechanism::{FrameState, Joint, Side};
 use crate::rotation::{self, Vec3};
 use crate::route::Place;
+use crate::solve::ElementPoints;
 use std::ops::Range;
 
 /// The hinges, frames and connection points of a chain.
@@ -16,6 +17,8 @@ pub(crate) struct Assembly<'a> {
     pub(crate) frames: Vec<FrameState>,
     /// The connection points in written order.
     pub(crate) points: Vec<Reported>,
+    /// The points of every element in written order.
+    pub(crate) elements: Vec<ElementPoints>,
 }
 
 /// A connection point.
@@ -54,7 +57,8 @@ impl<'a> Assembly<'a> {
     /// Panics if hinges and bodies do not alternate as the ends of the routes require, or if a place
     /// is not on a body of an earlier route.
     pub(crate) fn new(chain: &'a Chain, drives: &'a Drives) -> Assembly<'a> {
-        let assembly = Assembly { joints: Vec::new(), frames: Vec::new(), points: Vec::new() };
+        let (joints, frames, points, elements) = Default::default();
+        let assembly = Assembly { joints, frames, points, elements };
         let mut builder = Builder {
             chain,
             drives,
@@ -71,39 +75,42 @@ impl<'a> Assembly<'a> {
         }
         let Builder { elements, mut assembly, .. } = builder;
         for element in elements {
-            assembly.add_points(chain, element);
+            let points = assembly.element_points(chain, element);
+            assembly.elements.push(points);
         }
         assembly
     }
 
-    /// Adds the connection points of an element: its input, if that is new, its output, and the named
-    /// points of a body at which hinges begin.
-    fn add_points(&mut self, chain: &Chain, element: Numbered) {
+    /// Returns the connection points of an element, and adds those that are new.
+    fn element_points(&mut self, chain: &Chain, element: Numbered) -> ElementPoints {
         let leaving = |side: Side| self.joints.iter().filter(|it| it.inboard == side).count();
         match element {
             Numbered::Hinge(number) => {
                 let Joint { inboard, outboard, .. } = self.joints[number];
                 let is_input = matches!(inboard, Side::On { place: 0, .. });
                 let is_shared = is_input || leaving(inboard) > 1;
-                self.add_point(inboard, Some(number).filter(|_| is_shared));
-                self.add_point(outboard, None);
+                let input = self.point(inboard, Some(number).filter(|_| is_shared));
+                ElementPoints { input, output: self.point(outboard, None), named: Vec::new() }
             }
             Numbered::Body(body) => {
                 let named = chain.bodies().nth(body).map_or(0, |body| body.points.len());
                 let named = (0..named).map(|point| Side::named(body, point));
                 let joined: Vec<Side> = named.filter(|side| leaving(*side) > 0).collect();
-                self.add_point(Side::input(body), None);
-                self.add_point(Side::output(body), None);
-                joined.into_iter().for_each(|side| self.add_point(side, None));
+                let input = self.point(Side::input(body), None);
+                let output = self.point(Side::output(body), None);
+                let named = joined.into_iter().map(|side| self.point(side, None)).collect();
+                ElementPoints { input, output, named }
             }
         }
     }
 
-    fn add_point(&mut self, side: Side, share: Option<usize>) {
+    /// Returns the number of a point, which is added if it is new.
+    fn point(&mut self, side: Side, share: Option<usize>) -> usize {
         let point = Reported { side, share };
-        if !self.points.contains(&point) {
+        self.points.iter().position(|it| *it == point).unwrap_or_else(|| {
             self.points.push(point);
-        }
+            self.points.len() - 1
+        })
     }
 }
 

@@ -64,4 +64,4 @@ pub use random_tree::{TreeRecipe, random_tree};
 pub use recipe::{Ends, HingeChoice, Recipe};
 pub use route::{NamedPoint, Place, Route};
 pub use simulate::{BodySample, Sample, simulate, simulate_driven};
-pub use solve::{HingeLoad, Point, Solution, SpringState};
+pub use solve::{ElementPoints, HingeLoad, Point, Solution, SpringState};

@@ -7,6 +7,7 @@ use crate::drives::{Drives, FrameMotion, HingeMotion};
 use crate::external_load::ExternalLoad;
 use crate::hinge::{Hinge, HingeKind};
 use crate::rotation::{self, Mat3, Vec3};
+use crate::solve::ElementPoints;
 
 /// A chain as the solver sees it, at one instant.
 pub(crate) struct Mechanism<'a> {
@@ -19,6 +20,8 @@ pub(crate) struct Mechanism<'a> {
     pub(crate) frames: Vec<FrameState>,
     /// The connection points in written order.
     pub(crate) points: Vec<Reported>,
+    /// The points of every element in written order.
+    pub(crate) elements: Vec<ElementPoints>,
 }
 
 /// A body; all vectors start at its centre of mass and have components in body axes.
@@ -112,7 +115,7 @@ impl<'a> Mechanism<'a> {
             Gravity::Constant(acceleration) => acceleration,
             Gravity::Input => drives.gravity,
         };
-        let Assembly { joints, frames, points } = Assembly::new(chain, drives);
+        let Assembly { joints, frames, points, elements } = Assembly::new(chain, drives);
         Mechanism {
             chain,
             gravity: Vec3::from(gravity),
@@ -121,6 +124,7 @@ impl<'a> Mechanism<'a> {
             external_loads: ExternalLoad::all(chain, drives),
             frames,
             points,
+            elements,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The routes of a chain after its first one, and the places on bodies where they begin.
 
 use crate::chain::{Body, Chain, Element, End, Frame};
+use crate::hinge::Hinge;
 
 /// A route of a chain after the first one.
 ///
@@ -76,6 +77,17 @@ impl Chain {
     pub fn all_elements_mut(&mut self) -> impl Iterator<Item = &mut Element> {
         let later = self.later_routes.iter_mut().flat_map(|route| &mut route.elements);
         self.elements.iter_mut().chain(later)
+    }
+
+    /// Returns the index of the first rate of a hinge in [`crate::State::v`].
+    ///
+    /// # Panics
+    ///
+    /// Panics if no hinge has this name.
+    pub fn first_rate(&self, name: &str) -> usize {
+        let number = self.hinges().position(|hinge| hinge.name == name);
+        let number = number.unwrap_or_else(|| panic!("chain {}: no hinge {name}", self.name));
+        self.base_dof_count() + self.hinges().take(number).map(Hinge::dof_count).sum::<usize>()
     }
 
     /// Returns what the finish of the chain is attached to: the one finish of its routes that is not

@@ -23,6 +23,8 @@ pub struct Solution {
     /// The connection points in written order: of every element its input, if that is a new point, and
     /// its output; after the output of a body its named points at which hinges begin.
     pub points: Vec<Point>,
+    /// The points of every element in written order.
+    pub elements: Vec<ElementPoints>,
     /// The load of every hinge at its inboard side, in written order.
     pub hinge_loads: Vec<HingeLoad>,
     /// The springs in written order.
@@ -71,6 +73,17 @@ pub struct Point {
     pub moment: [f64; 3],
     /// The internal force in N.
     pub force: [f64; 3],
+}
+
+/// The indices of an element's points in [`Solution::points`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ElementPoints {
+    /// Its input.
+    pub input: usize,
+    /// Its output.
+    pub output: usize,
+    /// The named points of a body at which hinges begin, in the order of [`crate::Body::points`].
+    pub named: Vec<usize>,
 }
 
 /// The share of one hinge in the loads of the point where it begins, with the signs of an output.
@@ -131,6 +144,7 @@ impl Chain {
         Solution {
             accelerations: chain_accelerations(&mechanism, &motions, &dynamics),
             points: mechanism.points.iter().map(point).collect(),
+            elements: mechanism.elements.clone(),
             hinge_loads: hinge_loads(&mechanism, &motions, &dynamics),
             springs: mechanism.external_loads.iter().filter_map(spring).collect(),
             kinetic_energy: mechanism.kinetic_energy(&motions)

@@ -1,9 +1,12 @@
 //! Converts the drives of the reference solver to inputs of the compiler.
 
+use mstmm_codegen::compile::Compiled;
+use mstmm_codegen::ids::LoadId;
 use mstmm_codegen::model::{
     Chain, Drive, Effort, Hinge, HingeId, HingeKind, Input, InputKind, Layout,
 };
-use mstmm_reference::{Drives, FrameMotion};
+use mstmm_codegen::program::Argument;
+use mstmm_reference::{Drives, FrameMotion, State};
 
 /// Returns the inputs if only motors are driven; `efforts` has an entry for every rate.
 pub fn of_motors(chain: &Chain, efforts: &[f64]) -> Vec<f64> {
@@ -32,6 +35,78 @@ pub fn inputs(chain: &Chain, truth: &mstmm_reference::Chain, drives: &Drives) ->
     layout.inputs.iter().flat_map(of).collect()
 }
 
+/// Returns the arguments of all functions for a state and `drives` of the same chain of the reference, in which elements of
+/// repeated parts have their repetition after their names.
+pub fn arguments(
+    chain: &Chain,
+    compiled: &Compiled,
+    truth: &mstmm_reference::Chain,
+    (state, drives): (&State, &Drives),
+) -> Vec<(Argument, Vec<f64>)> {
+    let layout = Layout::of(chain);
+    let of = |argument| match argument {
+        Argument::Coordinates => Some(state.q.clone()),
+        Argument::Rates => Some(state.v.clone()),
+        Argument::Input(input) => {
+            let what = layout.inputs[input].what;
+            let times = chain.repeat_of_input(what).map(|part| chain.repeats[part].count);
+            Some(input_values(chain, what, times, truth, drives))
+        }
+        _ => None,
+    };
+    let arguments = compiled.unknowns.arguments();
+    arguments.filter_map(|(argument, _)| Some((argument, of(argument)?))).collect()
+}
+
+/// Returns the names of an element in all its repetitions.
+pub fn repeated(name: &str, times: Option<usize>) -> Vec<String> {
+    match times {
+        None => vec![name.to_owned()],
+        Some(times) => (0..times).map(|time| format!("{name}_{time}")).collect(),
+    }
+}
+
+/// Returns the values of an input in all repetitions.
+fn input_values(
+    chain: &Chain,
+    what: InputKind,
+    times: Option<usize>,
+    truth: &mstmm_reference::Chain,
+    drives: &Drives,
+) -> Vec<f64> {
+    let (translations, rotations) = (chain.dimension.translations(), chain.dimension.rotations());
+    let pick = |vector: &[f64; 3], axes: &[usize]| axes.iter().map(|&k| vector[k]).collect();
+    let load = |name: &str| {
+        let place = truth.loads.iter().position(|load| load.name == name);
+        &drives.loads[place.expect("a load of this name")]
+    };
+    let hinge = |id: HingeId| (chain.hinges[id].name.to_string(), &chain.hinges[id]);
+    let of_load = |id: LoadId, value: &dyn Fn(&str) -> Vec<f64>| {
+        let names = repeated(&chain.loads[id].name.to_string(), times);
+        names.iter().flat_map(|name| value(name)).collect()
+    };
+    match what {
+        InputKind::Gravity => pick(&drives.gravity, translations),
+        InputKind::Force(id) => of_load(id, &|name| pick(&load(name).force, translations)),
+        InputKind::Torque(id) => of_load(id, &|name| pick(&load(name).torque, rotations)),
+        InputKind::Efforts(id) => {
+            let (name, hinge) = hinge(id);
+            let Drive::Efforts(kinds) = &hinge.drive else { return Vec::new() };
+            let of_hinge = |name: &String| {
+                let first = truth.first_rate(name);
+                let given = kinds.iter().zip(&drives.efforts[first..]);
+                given.filter(|(kind, _)| **kind == Effort::Input).map(|(_, &effort)| effort)
+            };
+            repeated(&name, times).iter().flat_map(of_hinge).collect()
+        }
+        InputKind::Motion(id) => {
+            let (name, hinge) = hinge(id);
+            let names = repeated(&name, times);
+            names.iter().flat_map(|name| named_motion(name, &hinge.kind, truth, drives)).collect()
+        }
+    }
+}
+
 fn motor(chain: &Chain, layout: &Layout, hinge: HingeId, efforts: &[f64]) -> Vec<f64> {
     let Drive::Efforts(kinds) = &chain.hinges[hinge].drive else { return Vec::new() };
     let own = &efforts[layout.v[hinge].clone()];
@@ -46,11 +121,21 @@ fn motion(
     drives: &Drives,
 ) -> Vec<f64> {
     let Hinge { name, kind, .. } = &chain.hinges[hinge];
-    if let Some(frame) = truth.frame_motion(drives, &name.to_string()) {
+    named_motion(&name.to_string(), kind, truth, drives)
+}
+
+/// Returns the motion of a prescribed hinge or of a moving end.
+fn named_motion(
+    name: &str,
+    kind: &HingeKind,
+    truth: &mstmm_reference::Chain,
+    drives: &Drives,
+) -> Vec<f64> {
+    if let Some(frame) = truth.frame_motion(drives, name) {
         return frame_motion(kind, frame);
     }
     let mut prescribed = truth.hinges().filter(|hinge| hinge.prescribed);
-    let place = prescribed.position(|hinge| *name == hinge.name).expect("a prescribed hinge");
+    let place = prescribed.position(|hinge| hinge.name == name).expect("a prescribed hinge");
     let motion = &drives.motions[place];
     [&motion.q[..], &motion.v, &motion.a].concat()
 }

@@ -4,8 +4,8 @@ use super::interpreter::{Arrays, Judge};
 use mstmm_codegen::compile::{
     Compiled, StoredFramedVector, StoredPoint, StoredVector, layouts, outputs,
 };
-use mstmm_codegen::ids::RepeatId;
-use mstmm_codegen::model::Chain;
+use mstmm_codegen::ids::{PointId, RepeatId};
+use mstmm_codegen::model::{Chain, Element, ElementPoints};
 use mstmm_codegen::program::ArrayLayout;
 
 /// Returns all points in inertial axes, in the order of the chain written out.
@@ -25,6 +25,57 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
         for repetition in 0..count {
             for (_, point) in segment {
                 all.extend(reader.point(point, repetition));
+            }
+        }
+    }
+    all
+}
+
+/// Returns the points of all elements in inertial axes, in the order of the chain written out: of each element its input, its
+/// output, and the named points at which hinges begin.
+pub fn element_points<S: Judge>(
+    chain: &Chain,
+    compiled: &Compiled,
+    full: &Arrays<S>,
+) -> Vec<Vec<S>> {
+    let storage = &compiled.point_storage;
+    let reader = Reader {
+        chain,
+        layout: layouts::numbers_of_points(chain, storage),
+        numbers: full.result(outputs::POINT_NUMBERS),
+        at_rest: full.result(outputs::AT_REST),
+    };
+    let point = |id: PointId, own: Option<RepeatId>, repetition: usize| {
+        let repetition = match storage.of.points[id].repeat {
+            None => 0,
+            Some(part) if Some(part) == own => repetition,
+            // Elsewhere, a point of a repeated part is that of the last repetition.
+            Some(part) => chain.repeats[part].count - 1,
+        };
+        reader.point(&storage.points[id], repetition)
+    };
+    let numbered: Vec<usize> = (0..chain.elements.len()).collect();
+    let part = |index: usize| match chain.elements[index] {
+        Element::Hinge(hinge) => chain.repeat_of_hinge(hinge),
+        Element::Body(body) => chain.repeat_of_body(body),
+    };
+    let mut all = Vec::new();
+    for segment in numbered.chunk_by(|one, next| part(*one) == part(*next)) {
+        let own = part(segment[0]);
+        let count = own.map_or(1, |part| chain.repeats[part].count);
+        for repetition in 0..count {
+            for &index in segment {
+                let ElementPoints { input, previous, output } = storage.of.elements[index];
+                all.push(match previous {
+                    Some(previous) if repetition > 0 => point(previous, own, repetition - 1),
+                    _ => point(input, own, repetition),
+                });
+                all.push(point(output, own, repetition));
+                if let Element::Body(body) = chain.elements[index] {
+                    let named = 0..chain.bodies[body].points.len();
+                    let joined = named.filter_map(|point| storage.of.joined.get(&(body, point)));
+                    all.extend(joined.map(|&id| point(id, own, repetition)));
+                }
             }
         }
     }
