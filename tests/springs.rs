@@ -3,7 +3,9 @@
 
 mod support;
 
+use mstmm::nalgebra::{Vector2, Vector3};
 use mstmm::prelude::*;
+use mstmm::{Scalar, SpringResult};
 use mstmm_reference::Random;
 use support::dual::{Dual, energy_rate};
 use support::mechanism::random_quaternion;
@@ -202,4 +204,82 @@ springs! {
     { damping = [2, 1]; turning_damping = 0.5; turning_friction = 1; turning_friction_speed = 0.1; }
     3, quaternion false;
     power(q, _v) damped([2.0, 1.0, 0.5], q) + rubbed(1.0, q[2], 0.1);
+}
+
+mstmm_chain! {
+    chain Hung {
+        gravity = [0, 0, -9.8] m/s^2;
+        body Link {
+            mass = 1 kg;
+            com = [0, 0, -0.1] m;
+            output = [0, 0, -0.2] m;
+            inertia = diag(0.01, 0.01, 0.01) kg*m^2 about com;
+        }
+        ground -> ball a -> Link first -> repeat 2 { ball b -> Link each } -> weld c -> Link last;
+        spring stay { on = last; at = output; to = [3, 4, -0.8] m; stiffness = 10; damping = 3; length = 4; }
+        spring guy { on = each; at = output; to = [0, 1, -0.4] m; stiffness = 5; }
+    }
+}
+
+mstmm_chain! {
+    plane chain FlatStay {
+        body Rod { mass = 1 kg; com = [0.3, 0] m; inertia = 0.1 kg*m^2 about com; output = [0.6, 0] m; }
+        ground -> pin a -> Rod rod;
+        spring stay { on = rod; at = output; to = [0.6, 1] m; stiffness = 10; damping = 3; length = 0.4; }
+    }
+}
+
+mstmm_chain! {
+    line chain LineStay {
+        body Cart { mass = 1 kg; }
+        ground -> slider a -> Cart cart;
+        spring stay { on = cart; to = 2 m; stiffness = 10; damping = 3; length = 0.4; }
+    }
+}
+
+/// Returns length, rate, tension and force of the stays, with the first link turned about z.
+fn hung<T: Scalar>() -> (SpringResult<T, Vector3<T>>, [SpringResult<T, Vector3<T>>; 2]) {
+    let chain = Hung::<T>::new();
+    let mut state = chain.initial_state();
+    state.a_mut().set_rate([0.0, 2.0, 0.0].map(T::constant).into());
+    let mut at = chain.workspace();
+    chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("a regular chain");
+    assert!(at.guy(2).is_none());
+    (at.stay(), [0, 1].map(|index| at.guy(index).expect("two repetitions")))
+}
+
+#[test]
+fn springs_report_length_tension_and_force() {
+    let (stay, guys) = hung::<f64>();
+    // The end moves at 2 rad/s about y, 0.8 m below the ground: with −1.6 m/s along x.
+    let tension = 10.0 + 3.0 * 0.96;
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-13, "{a} {b}");
+    near(stay.length(), 5.0);
+    near(stay.length_rate(), 0.96);
+    near(stay.tension(), tension);
+    near((stay.force() - Vector3::new(0.6, 0.8, 0.0) * tension).norm(), 0.0);
+    near(guys[0].length(), 1.0);
+    near((guys[0].force() - Vector3::new(0.0, 5.0, 0.0)).norm(), 0.0);
+    near(guys[1].length(), 1.04_f64.sqrt());
+    near(guys[1].tension(), 5.0 * 1.04_f64.sqrt());
+    let (small, _) = hung::<f32>();
+    near(f64::from(small.length()), 5.0);
+    assert!((f64::from(small.tension()) - tension).abs() < 1e-5);
+
+    let flat = FlatStay::<f64>::new();
+    let (mut state, mut at) = (flat.initial_state(), flat.workspace());
+    state.a_mut().set_rate(2.0);
+    flat.solve_into(&state, &flat.no_inputs(), &mut at).expect("a regular chain");
+    // The end moves up with 1.2 m/s.
+    near(at.stay().length_rate(), -1.2);
+    near(at.stay().tension(), 6.0 - 3.6);
+    near((at.stay().force() - Vector2::new(0.0, 2.4)).norm(), 0.0);
+
+    let line = LineStay::<f64>::new();
+    let (mut state, mut at) = (line.initial_state(), line.workspace());
+    state.a_mut().set_velocity(2.0);
+    line.solve_into(&state, &line.no_inputs(), &mut at).expect("a regular chain");
+    let result: SpringResult<f64, f64> = at.stay();
+    assert_eq!((result.length(), result.length_rate()), (2.0, -2.0));
+    assert_eq!((result.tension(), result.force()), (10.0, 10.0));
 }

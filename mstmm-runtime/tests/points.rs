@@ -4,7 +4,7 @@ use mstmm_runtime::generated::{PointSlots, locate_point};
 use mstmm_runtime::nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use mstmm_runtime::{
     BodyPoint, BodyResult, HingeResult, LinePoint, LineStateVector, LoopClosure, PlanePoint,
-    PlaneStateVector, Point, StateVector,
+    PlaneStateVector, Point, SpringResult, StateVector,
 };
 
 #[test]
@@ -32,6 +32,9 @@ fn points_in_space_and_results() {
     let hinge = HingeResult::new(3.0, -1.0, rest, point);
     assert_eq!((hinge.acceleration(), hinge.effort()), (3.0, -1.0));
     assert_eq!((hinge.input(), hinge.output()), (rest, point));
+    let spring = SpringResult::new(0.5, -0.1, 3.0, Vector3::new(1.0, 2.0, 2.0));
+    assert_eq!((spring.length(), spring.length_rate(), spring.tension()), (0.5, -0.1, 3.0));
+    assert_eq!(spring.force(), Vector3::new(1.0, 2.0, 2.0));
     let body: BodyResult<f64> = BodyResult::new(point, rest, [1.0, 2.0, 3.0]);
     assert_eq!((body.input(), body.output()), (point, rest));
     let com = body.com();
