@@ -43,7 +43,7 @@ pub fn element_points<S: Judge>(
         chain,
         layout: layouts::numbers_of_points(chain, storage),
         numbers: full.result(outputs::POINT_NUMBERS),
-        at_rest: full.result(outputs::AT_REST),
+        base_acceleration: full.result(outputs::BASE_ACCELERATION),
     };
     let point = |id: PointId, own: Option<RepeatId>, repetition: usize| {
         let repetition = match storage.of.points[id].repeat {
