@@ -1,6 +1,6 @@
 //! Random trees: chains of several routes.
 
-use crate::chain::{Chain, Dimension, Element, End, Frame, Gravity};
+use crate::chain::{Body, Chain, Dimension, Element, End, Frame, Gravity};
 use crate::load::{BodyPoint, Spring, SpringEnd};
 use crate::random::Random;
 use crate::random_chain::{
@@ -129,19 +129,30 @@ fn random_start(random: &mut Random, chain: &mut Chain, recipe: &TreeRecipe, bod
     let Some(Element::Body(body)) = chain.all_elements_mut().filter(is_body).nth(parent) else {
         unreachable!("a parent among the bodies")
     };
+    End::Place(random_place(random, body, points + 1, layout))
+}
+
+/// Returns a place of a body where a route can begin: its input, its output or a named point, which
+/// may be new and then has the given number.
+pub(crate) fn random_place(
+    random: &mut Random,
+    body: &mut Body,
+    number: usize,
+    layout: Dimension,
+) -> Place {
     let point = match random.below(5) {
         0 => "input".to_owned(),
         1 | 2 => "output".to_owned(),
         3 if !body.points.is_empty() => random.choose(&body.points).name.clone(),
         _ => {
-            let name = format!("f{}", points + 1);
+            let name = format!("f{number}");
             let position = random_offset(random, 1.2, layout);
             let frame = Frame { position, rpy_degrees: random_turn(random, layout) };
             body.points.push(NamedPoint { name: name.clone(), frame });
             name
         }
     };
-    End::Place(Place { body: body.name.clone(), point })
+    Place { body: body.name.clone(), point }
 }
 
 /// Adds springs between bodies.
@@ -153,24 +164,29 @@ fn add_springs_between(random: &mut Random, chain: &mut Chain, recipe: &TreeReci
         }
         let other = (number + 1 + random.below(names.len() - 1)) % names.len();
         let to = SpringEnd::Body { body: names[other].clone(), at: place_of_spring(random) };
-        let at = match random.below(2) {
-            0 => place_of_spring(random),
-            _ => BodyPoint::At(random_offset(random, 1.0, chain.dimension)),
-        };
-        chain.springs.push(Spring {
-            name: format!("c{}", chain.springs.len() + 1),
-            body: body.clone(),
-            at,
-            to,
-            stiffness: random.rounded(1.0, 40.0, 1),
-            damping: if random.chance(0.5) { random.rounded(0.1, 3.0, 2) } else { 0.0 },
-            length: if random.chance(0.5) { random.rounded(0.1, 1.5, 2) } else { 0.0 },
-        });
+        add_spring(random, chain, body, to);
     }
 }
 
+/// Adds a spring from a body to another end.
+pub(crate) fn add_spring(random: &mut Random, chain: &mut Chain, body: &str, to: SpringEnd) {
+    let at = match random.below(2) {
+        0 => place_of_spring(random),
+        _ => BodyPoint::At(random_offset(random, 1.0, chain.dimension)),
+    };
+    chain.springs.push(Spring {
+        name: format!("c{}", chain.springs.len() + 1),
+        body: body.to_owned(),
+        at,
+        to,
+        stiffness: random.rounded(1.0, 40.0, 1),
+        damping: if random.chance(0.5) { random.rounded(0.1, 3.0, 2) } else { 0.0 },
+        length: if random.chance(0.5) { random.rounded(0.1, 1.5, 2) } else { 0.0 },
+    });
+}
+
 /// Returns an end of a spring that has a name.
-fn place_of_spring(random: &mut Random) -> BodyPoint {
+pub(crate) fn place_of_spring(random: &mut Random) -> BodyPoint {
     match random.below(3) {
         0 => BodyPoint::Com,
         1 => BodyPoint::Input,

@@ -12,6 +12,20 @@ impl Chain {
     /// `method` is the name after `method =`; the line is omitted if there is none. Every body has a
     /// separate type, named like the body in CamelCase.
     pub fn to_macro_text(&self, method: Option<&str>) -> String {
+        let route = |(start, elements, finish)| {
+            let ends = [self.end(start), self.end(finish)].map(Option::into_iter);
+            let [start, finish] = ends;
+            start.chain(self.steps(elements)).chain(finish).collect::<Vec<_>>().join(" -> ")
+        };
+        self.text_with_routes(method, self.routes().map(route))
+    }
+
+    /// Returns the chain in the description language, with these routes.
+    pub(crate) fn text_with_routes(
+        &self,
+        method: Option<&str>,
+        routes: impl Iterator<Item = String>,
+    ) -> String {
         let word = match self.dimension {
             Dimension::Space => "",
             Dimension::Plane => "plane ",
@@ -26,7 +40,7 @@ impl Chain {
             Gravity::Input => "    gravity = input;".to_owned(),
         });
         lines.extend(self.bodies().map(|body| self.body_type(body)));
-        lines.extend(self.routes().map(|route| format!("    {};", self.written_route(route))));
+        lines.extend(routes.map(|route| format!("    {route};")));
         lines.extend(self.hinges().filter_map(text_hinge::section_of));
         lines.extend(self.loads.iter().map(|load| self.load_section(load)));
         lines.extend(self.springs.iter().map(|spring| self.spring_section(spring)));
@@ -34,21 +48,19 @@ impl Chain {
         lines.join("\n")
     }
 
-    /// Returns the elements of a route from end to end, joined by arrows.
-    fn written_route(&self, (start, elements, finish): (&End, &[Element], &End)) -> String {
-        let start = self.end(start).into_iter();
-        let finish = self.end(finish).into_iter();
-        let elements = elements.iter().map(|element| match element {
+    /// Returns the texts of elements.
+    pub(crate) fn steps(&self, elements: &[Element]) -> Vec<String> {
+        let step = |element: &Element| match element {
             Element::Body(body) => format!("{} {}", camel_case(&body.name), body.name),
             Element::Hinge(hinge) => {
                 format!("{} {}", text_hinge::word(&hinge.kind, self.dimension), hinge.name)
             }
-        });
-        start.chain(elements).chain(finish).collect::<Vec<_>>().join(" -> ")
+        };
+        elements.iter().map(step).collect()
     }
 
     /// Returns the text of an end, nothing for a free end.
-    fn end(&self, end: &End) -> Option<String> {
+    pub(crate) fn end(&self, end: &End) -> Option<String> {
         match end {
             End::Free => None,
             End::Held(place) if *place == Frame::IDENTITY => Some("ground".to_owned()),
