@@ -35,7 +35,7 @@ pub(super) fn entry<T: Scalar, const R: usize, const C: usize>(
 }
 
 /// Replaces an entry of a matrix.
-fn set<T: Scalar, const R: usize, const C: usize>(
+pub(super) fn set<T: Scalar, const R: usize, const C: usize>(
     matrix: &mut SMatrix<T, R, C>,
     at: (usize, usize),
     value: T,

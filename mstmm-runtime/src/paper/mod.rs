@@ -16,6 +16,7 @@
 //! | [`plane`], [`line`](mod@line) | the same in a plane, 7×7, and on a line, 3×3, (47) to (52) |
 //! | [`chain`] | the overall product and the boundary solve, (8) to (11) |
 //! | [`lagrange`] | the plane pendulum's equations without the method, (46) |
+//! | [`tree`] | trees: a body with several inputs, and the overall equation; not in the paper |
 //!
 //! If the paper has a misprint, the code has the corrected form and its documentation quotes the misprint. Vectors are
 //! in the inertial frame, values in SI units. This module uses the letters of the paper: in the state vector
@@ -88,6 +89,7 @@ pub mod pin;
 pub mod plane;
 pub mod rotation;
 pub mod state;
+pub mod tree;
 
 use nalgebra::SMatrix;
 

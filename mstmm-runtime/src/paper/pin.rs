@@ -80,7 +80,7 @@ impl<T: Scalar> Pin<T> {
 }
 
 /// The pin's axis ζ in inertial components: the third column of the orientation.
-fn axis<T: Scalar>(orientation: &Matrix3<T>) -> Vector3<T> {
+pub(super) fn axis<T: Scalar>(orientation: &Matrix3<T>) -> Vector3<T> {
     block(orientation, (0, 2))
 }
 

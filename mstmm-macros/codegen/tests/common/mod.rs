@@ -10,6 +10,7 @@ pub mod given;
 pub mod interpreter;
 pub mod lifted;
 pub mod paper;
+pub mod paper_tree;
 pub mod points;
 pub mod scalars;
 pub mod twins;

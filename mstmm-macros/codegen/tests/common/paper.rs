@@ -36,7 +36,7 @@ pub struct Moving<S: Scalar> {
     pub rates: Vec<f64>,
 }
 
-fn vector(random: &mut Random, size: f64) -> Vector3<f64> {
+pub fn vector(random: &mut Random, size: f64) -> Vector3<f64> {
     Vector3::from_fn(|_, _| random.between(-size, size))
 }
 
@@ -51,7 +51,7 @@ pub fn axis(random: &mut Random) -> Vector3<f64> {
 }
 
 /// Returns a random body, whose inertia is that of a few point masses.
-fn body(random: &mut Random) -> Body<f64> {
+pub fn random_body(random: &mut Random) -> Body<f64> {
     let (mass, com) = (random.between(0.5, 2.0), vector(random, 0.5));
     let inertia = (0..5).fold(about_com(mass, &com), |sum, _| {
         sum + about_com(random.between(0.05, 0.3), &vector(random, 1.0))
@@ -60,7 +60,7 @@ fn body(random: &mut Random) -> Body<f64> {
 }
 
 /// Returns the inertia of a point mass about a point at distance `arm` from it.
-fn about_com(mass: f64, arm: &Vector3<f64>) -> Matrix3<f64> {
+pub fn about_com(mass: f64, arm: &Vector3<f64>) -> Matrix3<f64> {
     (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * mass
 }
 
@@ -93,7 +93,7 @@ impl Case {
             |random: &mut Random| Load { force: vector(random, 3.0), moment: vector(random, 1.0) };
         Case {
             hinges,
-            bodies: (0..count).map(|_| body(random)).collect(),
+            bodies: (0..count).map(|_| random_body(random)).collect(),
             loads: (0..count).map(|_| load(random)).collect(),
         }
     }
@@ -211,7 +211,7 @@ impl Case {
 }
 
 /// Returns a rotation whose third axis is `axis`.
-fn frame_about(axis: &Vector3<f64>) -> Matrix3<f64> {
+pub fn frame_about(axis: &Vector3<f64>) -> Matrix3<f64> {
     let other = if axis.x.abs() < 0.6 { Vector3::x() } else { Vector3::y() };
     let second = axis.cross(&other).normalize();
     Matrix3::from_columns(&[second.cross(axis), second, *axis])
