@@ -226,3 +226,19 @@ fn springs_of_length_zero_are_finite() {
     assert!(spring[0] < 1e-14, "{spring:?}");
     assert!(spring.iter().all(|x| x.abs() < 20.0), "{spring:?}");
 }
+
+/// Springs that cannot move anything cost nothing, and springs across few hinges need no poses.
+#[test]
+fn springs_within_a_link_cost_nothing() {
+    let (text, all) = routes(0);
+    let count = |name: &str| {
+        let cords: Vec<Cord> = all.iter().filter(|cord| cord.name == name).cloned().collect();
+        let twin = with_springs(&text, &cords);
+        twin.compiled.function(Answer::Accelerations).procedure.cost().arithmetic()
+    };
+    let without = count("");
+    assert_eq!([count("welded"), count("at_rest")], [without; 2]);
+    let [next, held] = [count("next"), count("held")];
+    assert!(next < without + 100, "a spring across a pin costs {} operations", next - without);
+    assert!(held > next, "a spring to the ground costs {} operations", held - without);
+}

@@ -62,7 +62,13 @@ pub fn results(cx: &EmitContext) -> String {
     let chosen = |words: &[(bool, &'static str)]| -> Vec<&'static str> {
         words.iter().filter(|(given, _)| *given).map(|&(_, word)| word).collect()
     };
-    let once = chosen(&[(true, "accelerations"), (true, "efforts"), (energies, "energies")]);
+    let has_springs = z && !cx.chain.springs.is_empty();
+    let once = chosen(&[
+        (true, "accelerations"),
+        (true, "efforts"),
+        (energies, "energies"),
+        (has_springs, "the state of every spring"),
+    ]);
     let points = chosen(&[(poses, "pose"), (velocities, "velocity"), (z, "the state vector `z`")]);
     if points.is_empty() {
         return listed(&once);
