@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::cords::{Cord, End, To, cord, routes, twins, with_springs};
+use common::cords::{Cord, End, To, cord, forms, routes, twins, with_springs};
 use common::double_double::DoubleDouble;
 use common::interpreter::{Arrays, Judge, run};
 use common::points::{points, springs};
@@ -31,71 +31,77 @@ fn arguments(twin: &Twin, seed: u64) -> HashMap<Argument, Vec<f64>> {
     twin.random_arguments(&mut Random::new(seed))
 }
 
+/// Returns a chain with two loads for each spring between bodies, and one for each spring to the ground.
+fn with_loads(text: &str, cords: &[Cord]) -> Twin {
+    let mut loads = String::new();
+    let mut load = |name: &str, suffix: &str, (body, at): End| {
+        let at = match text {
+            text if text.contains("line chain") => format!("{:?} m", at[0]),
+            text if text.contains("plane chain") => format!("{:?} m", &at[..2]),
+            _ => format!("{at:?} m"),
+        };
+        write!(loads, "load {name}_{suffix} {{ on = {body}; at = {at}; force = input; }}")
+            .expect("text can be written");
+    };
+    for Cord { name, on, to } in cords {
+        load(name, "on", *on);
+        if let To::Body(end) = *to {
+            load(name, "to", end);
+        }
+    }
+    let loaded = Twin::new(&text.replace("SPRINGS", &loads), Numbers::Written);
+    loaded.unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Returns the forces of springs as inputs of the chain with loads, which follow `inputs` others.
+fn forces(cords: &[Cord], results: &[f64], inputs: usize) -> HashMap<Argument, Vec<f64>> {
+    let results = results.chunks(results.len() / cords.len());
+    let forces = cords.iter().zip(results).flat_map(|(cord, result)| {
+        // Length, tension and force belong together.
+        let [length, rate, tension] = [result[0], result[1], result[2]];
+        let force = result[3..].to_vec();
+        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert!((size - tension.abs()).abs() < 1e-12 * (1.0 + size), "{}", cord.name);
+        let expected = 30.0 * (length - 0.3) + 2.0 * rate;
+        assert!((expected - tension).abs() < 1e-12 * (1.0 + size), "{}", cord.name);
+        let opposite = force.iter().map(|x| -x).collect();
+        let on_body = matches!(cord.to, To::Body(_)).then_some(opposite);
+        std::iter::once(force).chain(on_body)
+    });
+    forces.enumerate().map(|(k, force)| (Argument::Input(InputId(inputs + k)), force)).collect()
+}
+
 /// Compares accelerations, efforts, internal forces and bias with those of two loads for each spring.
 #[test]
 fn springs_pull_like_two_loads() {
-    for dimension in 0..3 {
-        let (text, cords) = routes(dimension);
-        let sprung = with_springs(&text, &cords);
-        let mut loads = String::new();
-        for Cord { name, on, to } in &cords {
-            let mut load = |suffix: &str, (body, at): End| {
-                let count = [3, 2, 1][dimension];
-                let at = match count {
-                    1 => format!("{:?} m", at[0]),
-                    _ => format!("{:?} m", &at[..count]),
-                };
-                write!(loads, "load {name}_{suffix} {{ on = {body}; at = {at}; force = input; }}")
-                    .expect("text can be written");
-            };
-            load("on", *on);
-            if let To::Body(end) = *to {
-                load("to", end);
-            }
-        }
-        let loaded = Twin::new(&text.replace("SPRINGS", &loads), Numbers::Written);
-        let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));
+    for (text, cords) in (0..3).map(routes).chain(forms()) {
+        let (sprung, loaded) = (with_springs(&text, &cords), with_loads(&text, &cords));
         for seed in 0..STATES {
-            let arguments = arguments(&sprung, seed);
+            let mut arguments = arguments(&sprung, seed);
             let at = sprung.set_up(arguments.clone());
             let solution = solve(&sprung, &at, Answer::Solution);
-            let mut forces = arguments;
-            let translations = sprung.chain.dimension.translations().len();
-            let results = solution.result(outputs::SPRINGS);
-            let mut input = 0;
-            for (cord, result) in cords.iter().zip(results.chunks(3 + translations)) {
-                let force = &result[3..];
-                let opposite: Vec<f64> = force.iter().map(|x| -x).collect();
-                let both = [force.to_vec(), opposite];
-                let count = if matches!(cord.to, To::Body(_)) { 2 } else { 1 };
-                for force in both.into_iter().take(count) {
-                    forces.insert(Argument::Input(InputId(input)), force);
-                    input += 1;
-                }
-                // Length, tension and force belong together.
-                let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
-                let [length, rate, tension] = [result[0], result[1], result[2]];
-                assert!((size - tension.abs()).abs() < 1e-12 * (1.0 + size), "{}", cord.name);
-                let expected = 30.0 * (length - 0.3) + 2.0 * rate;
-                assert!((expected - tension).abs() < 1e-12 * (1.0 + size), "{}", cord.name);
-            }
-            let pushed = loaded.set_up(forces);
-            for answer in [Answer::Accelerations, Answer::BiasEfforts] {
-                let id = if answer == Answer::BiasEfforts {
-                    outputs::BIAS_EFFORTS
-                } else {
-                    outputs::ACCELERATIONS
+            let is_input = |argument: &&Argument| matches!(argument, Argument::Input(_));
+            let inputs = arguments.keys().filter(is_input).count();
+            arguments.extend(forces(&cords, &solution.result(outputs::SPRINGS), inputs));
+            let pushed = loaded.set_up(arguments);
+            let check = |what: &str, ours: &[f64], theirs: &[f64]| {
+                let off = difference_of(ours, theirs);
+                assert!(off < 1e-10, "{what} are off by {off:e}\n{text}");
+            };
+            for function in &sprung.compiled.functions {
+                let id = match function.answer {
+                    Some(Answer::BiasEfforts) => outputs::BIAS_EFFORTS,
+                    Some(Answer::Accelerations) => outputs::ACCELERATIONS,
+                    Some(Answer::Solution) => outputs::EFFORTS,
+                    _ => continue,
                 };
+                let answer = function.answer.expect("an answer");
                 let ours = solve(&sprung, &at, answer).result(id);
-                let theirs = solve(&loaded, &pushed, answer).result(id);
-                let off = difference_of(&ours, &theirs);
-                assert!(off < 1e-11, "dimension {dimension}, {answer:?}: off by {off:e}");
+                check(id.name, &ours, &solve(&loaded, &pushed, answer).result(id));
             }
             let ours = points(&sprung.chain, &sprung.compiled, &solution);
             let theirs = solve(&loaded, &pushed, Answer::Solution);
-            let theirs = points(&loaded.chain, &loaded.compiled, &theirs);
-            let off = difference_of(&ours, &theirs);
-            assert!(off < 1e-11, "dimension {dimension}: points are off by {off:e}");
+            check("points", &ours, &points(&loaded.chain, &loaded.compiled, &theirs));
         }
     }
 }
@@ -125,8 +131,8 @@ fn compare<S: Judge>(twins: &Twins, state: u64, epsilon: f64) {
 
 #[test]
 fn springs_of_repeated_parts_are_those_written_out() {
-    for dimension in 0..3 {
-        let twins = twins(dimension);
+    for (dimension, method) in [(0, "riccati"), (1, "riccati"), (2, "riccati"), (0, "transfer")] {
+        let twins = twins(dimension, method);
         for state in 0..STATES {
             compare::<f64>(&twins, state, 1e-10);
             compare::<DoubleDouble>(&twins, state, 1e-14);
@@ -168,7 +174,7 @@ fn energy_falls_by_the_power_of_dampers() {
     for dimension in 0..3 {
         let (text, cords) = routes(dimension);
         let twin = with_springs(&text, &cords);
-        let twins = twins(dimension);
+        let twins = twins(dimension, "riccati");
         for seed in 0..STATES {
             check_energy(&twin, &twin.set_up(arguments(&twin, seed)));
             let [repeated, _] = twins.state(seed);

@@ -143,7 +143,7 @@ pub fn routes(dimension: usize) -> (String, Vec<Cord>) {
 }
 
 /// The route of a chain with two repeated parts, and the springs of all kinds that such parts may have.
-pub fn twins(dimension: usize) -> Twins {
+pub fn twins(dimension: usize, method: &str) -> Twins {
     let (word, bodies) = BODIES[dimension];
     let [ball, pin, slider] = match dimension {
         0 => ["ball", "pin([1, 2, 3])", "slider(z)"],
@@ -154,7 +154,7 @@ pub fn twins(dimension: usize) -> Twins {
         let first = part(&format!("{ball} a% -> Rod b% -> {pin} c% -> Rod d%"), 3);
         let second = part(&format!("{pin} e% -> Rod f%"), 2);
         format!(
-            "{word}chain Cords {{ answers = bias_efforts; {parameters} {bodies}
+            "{word}chain Cords {{ answers = bias_efforts; method = {method}; {parameters} {bodies}
             ground -> {pin} root -> Base base -> {first} -> {slider} g -> Base middle -> {second} -> {ball} h
             -> Base weight; SPRINGS }}"
         )
@@ -217,4 +217,27 @@ pub fn twins(dimension: usize) -> Twins {
     let repeated = with_springs(&text(&repeat, "param hard[3] = 30 N/m;"), &repeated);
     let written = with_springs(&text(&write, &parameters), &written);
     Twins { seed: dimension as u64, repeated, unrolled: written }
+}
+
+/// Returns chains of other forms: held at the end only, closed, and with a moving base and a prescribed hinge.
+pub fn forms() -> Vec<(String, Vec<Cord>)> {
+    let [p, q, r] = [[0.1, 0.2, 0.3], [-0.2, 0.5, 0.1], [0.6, 0.0, 0.1]];
+    let cords = vec![
+        cord("one", ("a1", p), To::Body(("b1", q))),
+        cord("two", ("c1", r), To::Body(("a1", p))),
+        cord("three", ("b1", q), To::Ground(r)),
+    ];
+    let routes = [
+        "Base a1 -> pin(z) a -> Rod b1 -> ball b -> Rod c1 -> pin(x) c -> ground at [1, 2, 3] m",
+        "ground -> ball a -> Base a1 -> pin(z) b -> Rod b1 -> ball c -> Rod c1 -> pin(x) d -> ground",
+        "moving hand -> ball a -> Base a1 -> pin(z) b -> Rod b1 -> slider(x) c -> Rod c1",
+        "Base a1 -> weld a -> Rod b1 -> pin(z) c -> Rod c1",
+    ];
+    let (_, bodies) = BODIES[0];
+    let text = |(number, route): (usize, &str)| {
+        let driven = if number == 2 { "hinge b { motion = input; }" } else { "" };
+        let text = format!("chain Cords {{ {bodies} {route}; {driven} SPRINGS }}");
+        (text, cords.clone())
+    };
+    routes.into_iter().enumerate().map(text).collect()
 }
