@@ -59,6 +59,46 @@ fn accelerations<S: Scalar>(sample: &Sample, method: SolutionMethod) -> Vec<S> {
     compute(&chain, (method, Axes::Body), &sample.q, &sample.v, &efforts).accelerations
 }
 
+/// Returns a trunk of this mass that is free, with a leg of three pins whose bodies have about 1 kg.
+fn leg_on_a_trunk(random: &mut Random, mass: f64) -> Sample {
+    let text = format!(
+        "chain Dog {{
+            gravity = [0, 0, -9.8];
+            body Trunk {{
+                mass = {mass:e};
+                com = [0.05, 0.02, 0.01];
+                inertia = tensor({:e}, {:e}, {:e}, {:e}, {:e}, 0) about com;
+                output = [0.37, 0.2, -0.1] turned rpy(0, 90, 0) deg;
+            }}
+            body Hip {{
+                mass = 2;
+                com = [0.04, 0, 0.1];
+                inertia = diag(0.05, 0.05, 0.01) about com;
+                output = [0.1, 0, 0] turned rpy(90, 0, 0) deg;
+            }}
+            body Rod {{
+                mass = 1;
+                com = [0.15, 0.02, 0];
+                inertia = diag(0.004, 0.03, 0.03) about com;
+                output = [0.35, 0, 0];
+            }}
+            Trunk trunk -> pin(z) haa -> Hip hip -> pin(z) hfe -> Rod thigh -> pin(z) kfe -> Rod shank;
+        }}",
+        0.03 * mass,
+        0.14 * mass,
+        0.15 * mass,
+        0.001 * mass,
+        -0.003 * mass,
+    );
+    let mut q = vec![0.0; 3];
+    let quaternion = [(); 4].map(|()| random.between(-1.0, 1.0));
+    let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+    q.extend(quaternion.map(|x| x / length));
+    q.extend((0..3).map(|_| random.between(-2.0, 2.0)));
+    let v = (0..9).map(|_| random.between(-2.0, 2.0)).collect();
+    Sample { text, q, v, ratio: (2.0 / mass).max(mass) }
+}
+
 /// Returns the largest difference, relative to the largest acceleration.
 fn error(found: &[f64], truth: &[DoubleDouble]) -> f64 {
     let size = truth.iter().fold(0.0_f64, |size, x| size.max(x.high.abs()));
@@ -90,5 +130,20 @@ fn transfer_loses_no_more_than_its_docs_say() {
             }
         }
         println!("masses over 10^{powers}: riccati {:.1e}, transfer {:.1e}", worst[0], worst[1]);
+    }
+}
+
+/// What remains of the errors on light trunks comes from base parameters: the leg transfers inertia to
+/// the trunk. At the trunk's input instead of the leg's hinge, the errors are ten times as large.
+#[test]
+fn legs_on_light_and_heavy_trunks_keep_their_accuracy() {
+    for mass in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
+        let limit = (50.0 + 0.4 / mass) * f64::EPSILON;
+        for seed in 0..20 {
+            let sample = leg_on_a_trunk(&mut Random::new(seed), mass);
+            let truth = accelerations::<DoubleDouble>(&sample, SolutionMethod::Riccati);
+            let error = error(&accelerations(&sample, SolutionMethod::Riccati), &truth);
+            assert!(error < limit, "{mass} kg, seed {seed}: {error:e} of {limit:e}");
+        }
     }
 }

@@ -104,11 +104,11 @@ fn rotation_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
 }
 
 impl<S: Scalar> RigidInertia<S> {
-    fn of(link: &LinkKinematics<S>) -> Self {
+    pub(super) fn of(link: &LinkKinematics<S>) -> Self {
         RigidInertia { mass: link.mass, first_moment: link.first_moment, inertia: link.inertia }
     }
 
-    fn write_to(self, link: &mut LinkKinematics<S>) {
+    pub(super) fn write_to(self, link: &mut LinkKinematics<S>) {
         (link.mass, link.first_moment, link.inertia) = (self.mass, self.first_moment, self.inertia);
     }
 
@@ -144,7 +144,7 @@ impl<S: Scalar> RigidInertia<S> {
     }
 
     /// Returns the inertia about the origin of a body whose point is at `arm`.
-    fn shifted_from(self, arm: Vec3<S>) -> Self {
+    pub(super) fn shifted_from(self, arm: Vec3<S>) -> Self {
         let shifted =
             SpatialInertia::rigid(self.mass, self.first_moment, self.inertia).shifted_from(arm);
         RigidInertia {

@@ -6,6 +6,7 @@
 
 use super::base_parameters::to_base_parameters;
 use super::constraint_forces::ConstraintForces;
+use super::free_base::move_to_children;
 use super::hinge_wrenches::hinge_wrenches;
 use super::kinematics::LinkKinematics;
 use super::loads::loads;
@@ -103,6 +104,8 @@ fn solve<S: Scalar, R>(
 ) -> (ForwardDynamics<S>, R) {
     let mut links = kinematics(context, axes, trace);
     let loop_hinge = loop_hinge(context, axes, &links);
+    let free_bases =
+        if use_base_parameters { move_to_children(context, &mut links) } else { Vec::new() };
     let original_inertias =
         use_base_parameters.then(|| to_base_parameters(context, &mut links, trace));
     let problem = MotionProblem {
@@ -127,6 +130,10 @@ fn solve<S: Scalar, R>(
     };
     let layout = context.layout;
     let mut accelerations = solution.rates(&links, layout);
+    for base in &free_bases {
+        let rates = base.rates(context, &links[base.link], solution.link_accelerations[base.link]);
+        accelerations[layout.v[base.hinge].clone()].copy_from_slice(&rates);
+    }
     if let Some(constraints) = &problem.loop_constraints {
         let a =
             acceleration_from_inboard(constraints.loop_hinge, problem.base_acceleration, &solution);

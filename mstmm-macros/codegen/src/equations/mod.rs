@@ -31,6 +31,7 @@
 mod constraint_forces;
 mod energy;
 mod forward_dynamics;
+mod free_base;
 pub mod hinge;
 mod inverse_dynamics;
 mod kinematics;

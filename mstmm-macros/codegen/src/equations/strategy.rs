@@ -6,7 +6,9 @@
 //! D7 is the Panda, C7 has seven pins about alternating axes, A10 has ten pins in a plane, B3 to
 //! B100 have that many balls.
 
-use crate::math::{Mat3, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
+use crate::math::{
+    Mat3, Motion, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench,
+};
 use crate::model::SolutionMethod;
 
 /// The work axes, in which the equations of the links are written.
@@ -74,6 +76,21 @@ pub fn operation_count<S: Scalar>(mass: S, moment: Vec3<S>, inertia: Sym3<S>) ->
 /// inertial axes 185 and 40, most of them for poses. Solutions with poses need these anyway: a spring across
 /// six pins then costs 243 operations relative to the common link and 245 in inertial axes.
 pub const MAX_SPRING_PATH: usize = 6;
+
+/// Whether a free base is moved to the hinge of this child, which rotates about a point of the base.
+/// The child's articulated inertia then needs no translation. If the child is the last of its branch
+/// and its hinge does not move its centre of mass, that inertia is constant, and it costs more that
+/// the inertia of the base has fewer zeros about the new point.
+pub fn saves_translation<S: Scalar>(
+    subspace: &[Motion<S>],
+    first_moment: Vec3<S>,
+    is_last: bool,
+) -> bool {
+    let moves_mass = |motion: &Motion<S>| {
+        motion.angular.cross(first_moment).0.iter().any(|entry| !entry.vanishes())
+    };
+    !is_last || subspace.iter().any(moves_mass)
+}
 
 /// The number of degrees of freedom in a plane.
 const PLANE: usize = 3;
