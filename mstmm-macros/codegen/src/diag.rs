@@ -23,17 +23,34 @@ pub struct SpanRange {
     pub first: Span,
     /// The last token.
     pub last: Span,
+    /// The instance of a part whose arguments the text uses, if it uses any.
+    pub instance: Option<InstanceId>,
 }
+
+/// An instance of a part, for messages: an index into the descriptions in [`Diagnostics`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InstanceId(usize);
 
 impl SpanRange {
     /// Returns the extent of a single token.
     pub fn token(at: Span) -> Self {
-        SpanRange { first: at, last: at }
+        SpanRange { first: at, last: at, instance: None }
     }
 
     /// Returns the extent from the start of this one to the end of another.
     pub fn to(self, end: SpanRange) -> Self {
-        SpanRange { first: self.first, last: end.last }
+        SpanRange { last: end.last, instance: self.instance.or(end.instance), ..self }
+    }
+
+    /// Returns the same extent in an instance of a part.
+    pub fn within(self, instance: Option<InstanceId>) -> Self {
+        SpanRange { instance, ..self }
+    }
+}
+
+impl From<&Ident> for SpanRange {
+    fn from(name: &Ident) -> Self {
+        SpanRange::token(name.span())
     }
 }
 
@@ -77,6 +94,8 @@ pub struct Diagnostics {
     warnings: Vec<(SourcePosition, Warning)>,
     /// The tokens with a warning.
     with_warning: HashSet<TokenKey>,
+    /// The instances of parts, as written: `Leg(-1, 1) rf`.
+    instances: Vec<String>,
 }
 
 impl Diagnostics {
@@ -85,9 +104,21 @@ impl Diagnostics {
         self.add(|| Error::new(at, message));
     }
 
-    /// Adds an error that covers all of `at`.
-    pub fn error_over(&mut self, at: impl ToTokens, message: impl std::fmt::Display) {
-        self.add(|| Error::new_spanned(at, message));
+    /// Adds an error that covers all of `at`. If the text there uses arguments of a part, the message names the instance.
+    pub fn error_over(&mut self, at: impl Into<SpanRange>, message: impl std::fmt::Display) {
+        let at = at.into();
+        match at.instance.and_then(|instance| self.instances.get(instance.0).cloned()) {
+            Some(instance) => {
+                self.add(|| Error::new_spanned(at, format!("{message}, in `{instance}`")))
+            }
+            None => self.add(|| Error::new_spanned(at, message)),
+        };
+    }
+
+    /// Adds an instance of a part, which messages describe as written: `Leg(-1, 1) rf`.
+    pub fn add_instance(&mut self, description: String) -> InstanceId {
+        self.instances.push(description);
+        InstanceId(self.instances.len() - 1)
     }
 
     /// Adds an error that a parser found.

@@ -1,9 +1,10 @@
 //! The types of chains with errors: rustc treats them as error types and reports no further errors where they are used.
 
-use crate::syntax::{ChainSyntax, RouteItemSyntax};
+use crate::syntax::{ChainSyntax, ContentSyntax, PathSyntax, RouteItemSyntax, RouteSyntax};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
+use syn::ext::IdentExt;
 
 /// Returns the types of chains with errors, and the errors.
 ///
@@ -56,12 +57,19 @@ fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
     let of_chain =
         ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
-    let described = chain.blocks.iter().flat_map(|block| &block.names);
-    let used = chain.route.iter().flat_map(|route| &route.items).filter_map(|stop| match stop {
-        RouteItemSyntax::Element { word, .. } => Some(word),
-        _ => None,
-    });
-    let results = described.chain(used).map(move |body| format_ident!("{}{}Result", name, body));
+    let types = |part: &str, content: &ContentSyntax| {
+        let described = content.blocks.iter().flat_map(|block| &block.names).map(PathSyntax::end);
+        let items = content.routes.iter().flat_map(RouteSyntax::items);
+        let used = items.filter_map(|item| match item {
+            RouteItemSyntax::Element { word, .. } => Some(word),
+            _ => None,
+        });
+        let results = described.chain(used);
+        results.map(|body| format_ident!("{}{}{}Result", name, part, body)).collect::<Vec<_>>()
+    };
+    let parts = chain.parts.iter();
+    let of_parts = parts.flat_map(|part| types(&part.name.unraw().to_string(), &part.content));
+    let results: Vec<Ident> = types("", &chain.content).into_iter().chain(of_parts).collect();
     [name.clone()].into_iter().chain(of_chain).chain(results)
 }
 

@@ -87,7 +87,8 @@ pub struct Chain {
 /// Lowers a description to its model and checks it. Returns `None` if there is an error in this
 /// description or in an earlier one.
 pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain, Passthrough)> {
-    let (draft, passthrough) = lower::draft(def, diagnostics)?;
+    let written = lower::write_out(def, diagnostics);
+    let (draft, passthrough) = lower::draft(def, &written, diagnostics)?;
     let assertions = check::check(&draft, diagnostics);
     if !diagnostics.is_empty() {
         return None;

@@ -21,12 +21,12 @@ fn attributes(input: &mut Cursor) -> Result<Vec<Attribute>> {
     Attribute::parse_outer.parse2(tokens)
 }
 
-/// Skips doc comments; any other attribute is an error.
-pub(super) fn docs(input: &mut Cursor) -> Result<()> {
+/// Reads doc comments; any other attribute is an error.
+pub(super) fn docs(input: &mut Cursor) -> Result<Vec<Attribute>> {
     let attributes = attributes(input).inspect_err(|_| skip_comment(input))?;
     match attributes.iter().find(|attribute| !attribute.path().is_ident("doc")) {
         Some(other) => Err(Error::new_spanned(other, "only doc comments are allowed here")),
-        None => Ok(()),
+        None => Ok(attributes),
     }
 }
 

@@ -1,32 +1,21 @@
 //! `chain Name { … }`
 
 use proc_macro2::{Delimiter, Ident, Span};
-use syn::{Error, Result, Visibility};
+use syn::{Attribute, Error, Result, Visibility};
 
 use super::cursor::Cursor;
-use super::field::Content;
-use super::lookahead::ITEMS;
-use super::tree::{BlockKeyword, BlockSyntax, ChainSyntax, DimensionKeyword, ParameterSyntax};
-use super::{
-    attribute, branch, field, lookahead, number, other_programs, recover, route, route_item,
-};
+use super::lookahead::SETTINGS;
+use super::path::begins_with_path;
+use super::route_tree::{ChainSyntax, ContentSyntax, DimensionKeyword, ParameterSyntax};
+use super::{attribute, content, field, lookahead, number, other_programs, part, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
-/// The keywords of blocks.
-pub(super) const BLOCKS: &[(&str, BlockKeyword)] = &[
-    ("body", BlockKeyword::Body),
-    ("hinge", BlockKeyword::Hinge),
-    ("load", BlockKeyword::Load),
-    ("spring", BlockKeyword::Spring),
-];
 /// The keywords that may precede `chain`.
 pub(super) const DIMENSIONS: &[(&str, DimensionKeyword)] = &[
     ("space", DimensionKeyword::Space),
     ("plane", DimensionKeyword::Plane),
     ("line", DimensionKeyword::Line),
 ];
-/// The keywords of settings.
-pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
 
 /// The count of a parameter whose count is not readable.
 const UNKNOWN_COUNT: usize = 1000;
@@ -42,11 +31,12 @@ pub(super) fn chain(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option
         }
     };
     while !inside.is_empty() {
-        if let Err(error) = attribute::docs(&mut inside) {
+        let docs = attribute::docs(&mut inside).unwrap_or_else(|error| {
             diagnostics.push(error);
-        }
+            Vec::new()
+        });
         if !inside.is_empty() {
-            item(&mut inside, &mut def, diagnostics);
+            item(docs, &mut inside, &mut def, diagnostics);
         }
     }
     Some(def)
@@ -94,9 +84,8 @@ fn head<'a>(
         name,
         settings: Vec::new(),
         parameters: Vec::new(),
-        blocks: Vec::new(),
-        route: None,
-        complete: true,
+        parts: Vec::new(),
+        content: ContentSyntax::new(),
     };
     Ok((def, inside))
 }
@@ -140,30 +129,40 @@ fn dimension(input: &mut Cursor) -> DimensionKeyword {
     known.map_or(DimensionKeyword::Space, |&(_, dimension)| dimension)
 }
 
-fn item(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
-    let start = *input;
+fn item(
+    docs: Vec<Attribute>,
+    input: &mut Cursor,
+    def: &mut ChainSyntax,
+    diagnostics: &mut Diagnostics,
+) {
+    if begins_with_path(input) {
+        return content::route(input, &mut def.content, diagnostics);
+    }
+    if part::keyword(input, diagnostics) {
+        let after_route = !def.content.routes.is_empty();
+        match part::part(docs, after_route, input, diagnostics) {
+            Ok(part) => def.parts.push(part),
+            Err(error) => content::report_and_skip(error, input, &mut def.content, diagnostics),
+        }
+        return;
+    }
     let refused = end_block(input).or_else(|| route_setting(input));
     if let Some((at, message)) = refused {
         diagnostics.error(at, message);
-    } else if let Some((word, at)) =
-        block_word(input).or_else(|| misspelt_block(input, diagnostics))
-    {
-        block(word, at, input, def, diagnostics);
+    } else if let Some((word, at)) = content::block_word(input, diagnostics) {
+        let after_route = !def.content.routes.is_empty();
+        content::block((word, at), after_route, input, &mut def.content, diagnostics);
     } else if input.word("param").is_some() || misspelt_parameter(input, diagnostics) {
         match parameter(input, diagnostics) {
             Ok(parameter) => def.parameters.push(parameter),
-            Err(error) => report_and_skip(error, input, def, diagnostics),
+            Err(error) => content::report_and_skip(error, input, &mut def.content, diagnostics),
         }
     } else if let Some(name) = setting(input) {
         def.settings.push(field::field(name, input, diagnostics));
     } else if lookahead::is_route(input) {
-        let route = route::route(input, diagnostics);
-        match def.route {
-            Some(ref mut first) => first.add(start.next_span(), route),
-            None => def.route = Some(route),
-        }
+        content::route(input, &mut def.content, diagnostics);
     } else {
-        unknown(input, def, diagnostics);
+        content::unknown(input, &mut def.content, diagnostics);
     }
 }
 
@@ -191,29 +190,6 @@ fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     ahead.punct('=').filter(|_| lookahead::is_clearly_route(&ahead))?;
     *input = ahead;
     Some((at, "the route has no name: write only `ground -> …`"))
-}
-
-/// Reads the keyword of a block.
-fn block_word(input: &mut Cursor) -> Option<(BlockKeyword, Span)> {
-    BLOCKS.iter().find_map(|&(word, block)| Some((block, input.word(word)?)))
-}
-
-/// Reads and reports a misspelt keyword of a block.
-fn misspelt_block(
-    input: &mut Cursor,
-    diagnostics: &mut Diagnostics,
-) -> Option<(BlockKeyword, Span)> {
-    let mut ahead = *input;
-    let word = ahead.ident()?;
-    let words = BLOCKS.iter().map(|&(word, _)| word);
-    let near = other_programs::keyword(&word)
-        .or_else(|| nearest(&word.to_string(), words.chain(["param"])))?;
-    let &(_, block) = BLOCKS.iter().find(|(word, _)| *word == near)?;
-    let mut names = ahead;
-    block_head(&mut names).ok()?;
-    diagnostics.error(word.span(), format!("unknown item `{word}`; did you mean `{near}`?"));
-    *input = ahead;
-    Some((block, word.span()))
 }
 
 /// Reads and reports a misspelt `param`.
@@ -266,77 +242,4 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
         }
     };
     Ok(ParameterSyntax { field: field::field(name, input, diagnostics), repetitions })
-}
-
-fn block(
-    word: BlockKeyword,
-    at: Span,
-    input: &mut Cursor,
-    def: &mut ChainSyntax,
-    diagnostics: &mut Diagnostics,
-) {
-    let after_route = def.route.is_some();
-    match block_head(input) {
-        Ok((names, inside)) => {
-            let Content { fields, points, complete } = field::content(inside, diagnostics);
-            def.blocks.push(BlockSyntax { word, at, names, fields, points, complete, after_route });
-        }
-        Err(error) => report_and_skip(error, input, def, diagnostics),
-    }
-}
-
-fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<Ident>, Cursor<'a>)> {
-    let mut names = Vec::new();
-    loop {
-        names.push(input.ident().ok_or_else(|| input.unexpected("a name"))?);
-        if input.punct(',').is_none() {
-            break;
-        }
-    }
-    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
-    Ok((names, inside))
-}
-
-/// Reports an item that begins with no keyword.
-fn unknown(input: &mut Cursor, def: &mut ChainSyntax, diagnostics: &mut Diagnostics) {
-    let start = *input;
-    let Some(word) = input.peek_ident() else {
-        // This may be the rest of the route.
-        if let Some(route) = &mut def.route {
-            if input.pair('-', '>').is_some() {
-                *input = start;
-                diagnostics.push(input.unexpected("an item"));
-                return recover::rest(input, route);
-            }
-            route.complete = false;
-        }
-        return report_and_skip(input.unexpected("an item"), input, def, diagnostics);
-    };
-    if let Some(message) = branch::item(&word).or_else(|| other_programs::item(&word)) {
-        return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
-    }
-    let near = other_programs::keyword(&word)
-        .or_else(|| nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied()));
-    let hint = near.map_or_else(
-        || {
-            "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, \
-            `hinge`, `load` and `spring`"
-                .to_owned()
-        },
-        |near| format!("did you mean `{near}`?"),
-    );
-    let message = format!("unknown item `{word}`; {hint}");
-    report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
-}
-
-/// Reports an item that is not readable and skips it.
-fn report_and_skip(
-    error: Error,
-    input: &mut Cursor,
-    def: &mut ChainSyntax,
-    diagnostics: &mut Diagnostics,
-) {
-    diagnostics.push(error);
-    def.complete = false;
-    input.skip_statement();
 }

@@ -106,7 +106,7 @@ impl<'a> Cursor<'a> {
         self.rest = rest;
         self.last = span.close();
         let inside = Cursor { rest: inside, last: span.open(), depth: self.depth + 1 };
-        Some((inside, SpanRange { first: span.open(), last: span.close() }))
+        Some((inside, SpanRange::token(span.open()).to(SpanRange::token(span.close()))))
     }
 
     /// The next token, whatever it is.

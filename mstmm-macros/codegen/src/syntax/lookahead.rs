@@ -9,21 +9,51 @@ pub(super) const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", 
 /// Keywords that may also be names: they begin an item only if a name follows.
 const ALSO_NAMES: &[&str] = &["load", "spring", "moving"];
 
+/// The keywords of settings.
+pub const SETTINGS: &[&str] = &["gravity", "method", "results", "answers"];
+/// The kinds of hinges, with which a route of a single hinge begins.
+pub(super) const HINGES: &[&str] = &[
+    "weld",
+    "pin",
+    "slider",
+    "screw",
+    "cylindrical",
+    "universal",
+    "ball",
+    "planar",
+    "floating",
+    "elastic",
+];
+
 /// Returns whether the next word can only be the beginning of an item.
 pub(super) fn begins_item(input: &Cursor) -> bool {
     begins_block(input) || input.peek_ident().is_some_and(|word| word == "ground")
 }
 
+/// Returns whether a part is next: `part Name (` or `part Name {`.
+pub(super) fn begins_part(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.word("part").is_some() && begins_part_head(&ahead)
+}
+
+/// Returns whether the head of a part is next, without its keyword.
+pub(super) fn begins_part_head(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.ident().is_some()
+        && (ahead.peek_group(Delimiter::Parenthesis) || ahead.peek_group(Delimiter::Brace))
+}
+
 /// Returns whether the next word begins an item other than the route: a name or a block follows.
 pub(super) fn begins_block(input: &Cursor) -> bool {
     let mut ahead = *input;
-    ahead.ident().is_some_and(|word| {
-        let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
-        let block = !may_be_name && ahead.peek_group(Delimiter::Brace);
-        ITEMS.iter().any(|item| word == item)
-            && word != "ground"
-            && (block || ahead.ident().is_some())
-    })
+    begins_part(input)
+        || ahead.ident().is_some_and(|word| {
+            let may_be_name = ALSO_NAMES.iter().any(|name| word == name);
+            let block = !may_be_name && ahead.peek_group(Delimiter::Brace);
+            ITEMS.iter().any(|item| word == item)
+                && word != "ground"
+                && (block || ahead.ident().is_some())
+        })
 }
 
 /// The name of a point, if one is next: `point name`.
@@ -47,13 +77,16 @@ pub(super) fn name(input: &mut Cursor) -> Option<Ident> {
 }
 
 /// Returns whether the statement looks like a route rather than like a misspelt item: by its first
-/// word, by an arrow, or because it is a single body.
+/// word, by an arrow, or because it is a single body or hinge.
 pub(super) fn is_route(input: &Cursor) -> bool {
     let mut ahead = *input;
-    let body = ahead.ident().is_some_and(|word| word.to_string().starts_with(char::is_uppercase));
+    let is_item = ahead.ident().is_some_and(|word| {
+        word.to_string().starts_with(char::is_uppercase) || HINGES.iter().any(|kind| word == kind)
+    });
+    ahead.group(Delimiter::Parenthesis);
     let _name = name(&mut ahead);
     let ends = ahead.peek_punct(';') || ahead.is_empty() || begins_block(&ahead);
-    (body && ends) || is_clearly_route(input)
+    (is_item && ends) || is_clearly_route(input)
 }
 
 /// Returns whether the statement begins with a keyword of the route, or has an arrow.

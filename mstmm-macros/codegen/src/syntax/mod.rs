@@ -7,25 +7,29 @@
 #![doc = include_str!("grammar.md")]
 
 mod attribute;
-mod branch;
 mod chain;
+mod content;
 mod cursor;
 mod field;
 mod lookahead;
 mod number;
 mod other_programs;
+mod part;
 mod passthrough;
+mod path;
 mod recover;
 mod route;
 mod route_item;
+mod route_tree;
 mod separators;
 mod tree;
 mod unit;
 mod value;
 
-pub use chain::SETTINGS;
+pub use lookahead::SETTINGS;
 pub use number::{FORMS, FUNCTIONS};
 pub use passthrough::{Passthrough, References};
+pub use route_tree::*;
 pub use tree::*;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
@@ -97,15 +101,21 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
 }
 
 /// Returns the types of results at bodies with named points.
-fn result_types(chain: &ChainSyntax) -> impl Iterator<Item = String> {
-    let bodies = chain.blocks.iter().filter(|block| !block.points.is_empty());
-    bodies.flat_map(|block| &block.names).map(|name| format!("{}{name}Result", chain.name))
+fn result_types(chain: &ChainSyntax) -> Vec<String> {
+    let parts = chain.parts.iter().map(|part| (part.name.to_string(), &part.content));
+    let contents = [(String::new(), &chain.content)].into_iter().chain(parts);
+    let types = contents.flat_map(|(part, content)| {
+        let bodies = content.blocks.iter().filter(|block| !block.points.is_empty());
+        let names = bodies.flat_map(|block| &block.names);
+        names.map(move |name| format!("{}{part}{name}Result", chain.name))
+    });
+    types.collect()
 }
 
 /// Returns the keywords of the tables of the parser.
 #[cfg(test)]
 pub(crate) fn keywords() -> Vec<&'static str> {
-    let blocks = chain::BLOCKS.iter().map(|(word, _)| *word);
+    let blocks = content::BLOCKS.iter().map(|(word, _)| *word);
     let dimensions = chain::DIMENSIONS.iter().map(|(word, _)| *word);
     let lists = [lookahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, route_item::AXES].concat();
     blocks.chain(dimensions).chain(lists).collect()

@@ -1,5 +1,6 @@
 //! Items that other programs have, or have under another keyword.
 
+use super::separators::BRANCHES;
 use proc_macro2::Ident;
 
 /// Keywords of other programs, each with that of the language.
@@ -7,6 +8,13 @@ const KEYWORDS: &[(&str, &str)] = &[("link", "body"), ("joint", "hinge"), ("para
 
 /// Items that a chain does not have, each with its message.
 const ITEMS: &[(&str, &str)] = &[
+    ("branch", BRANCHES),
+    ("fork", BRANCHES),
+    ("tree", BRANCHES),
+    ("close", LOOPS),
+    ("closure", LOOPS),
+    ("constraint", LOOPS),
+    ("loop", LOOPS),
     ("motor", MOTORS),
     ("actuator", MOTORS),
     ("damper", "write a damper as the field `damping` of a hinge or of a `spring`"),
@@ -21,6 +29,10 @@ const ITEMS: &[(&str, &str)] = &[
          `force = input`",
     ),
 ];
+
+/// The message for a loop between two bodies.
+const LOOPS: &str = "a closed chain is a first route that ends as it began, `ground -> … -> ground at \
+                     […]`; for a loop between two bodies write two loads with `force = input`";
 
 /// The message for a motor.
 const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge";

@@ -4,7 +4,7 @@
 use proc_macro2::{Delimiter, Span};
 
 use super::cursor::Cursor;
-use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
+use super::route_tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax, StepSyntax};
 use super::{lookahead, number, route_item};
 use crate::diag::{Diagnostics, nearest};
 
@@ -16,12 +16,14 @@ pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
     while !inside.is_empty() && inside.punct(';').is_none() && !lookahead::begins_block(&inside) {
         match repeated(&mut inside) {
             Some((at, count, mut part)) => {
-                let start = read.items.len();
+                let mut route = RouteSyntax::at(part.next_span());
                 while !part.is_empty() {
-                    after_error(&mut part, read);
+                    after_error(&mut part, &mut route);
                 }
-                if read.items.len() > start {
-                    read.repeats.push(RepeatSyntax { at, count, items: start..read.items.len() });
+                if !route.steps.is_empty() {
+                    let (seeds, routes) = (Vec::new(), vec![route]);
+                    let repeat = RepeatSyntax { at, count, seeds, routes };
+                    read.steps.push(StepSyntax::Repeat(repeat));
                 }
             }
             None => after_error(&mut inside, read),
@@ -54,7 +56,7 @@ pub(super) fn after_error(input: &mut Cursor, read: &mut RouteSyntax) {
             if let RouteItemSyntax::Element { after_error, .. } = &mut item {
                 *after_error = true;
             }
-            read.items.push(item);
+            read.steps.push(StepSyntax::Item(item));
             *input = ahead;
         }
         Err(_) => _ = input.any(),

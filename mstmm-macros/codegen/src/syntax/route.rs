@@ -1,33 +1,35 @@
-//! The route: route items joined by arrows.
+//! Routes: steps joined by arrows.
 
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
+use super::lookahead::{self, has_arrow};
 use super::number::count;
+use super::path::path_of_several;
 use super::recover::{self, after_error};
 use super::route_item::route_item;
-use super::separators::Separators;
-use super::tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax};
-use super::{branch, lookahead};
+use super::route_tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax, SeedSyntax, StepSyntax};
+use super::separators::{BRANCHES, Separators};
+use super::tree::{PathSyntax, SpanRange};
 use crate::diag::Diagnostics;
 
 /// Parses a route including its `;`. After an error it continues with the next statement.
 pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteSyntax {
-    let mut route =
-        RouteSyntax { items: Vec::new(), repeats: Vec::new(), complete: true, further: Vec::new() };
+    let mut route = RouteSyntax::at(input.next_span());
     let mut separators = Separators::default();
+    match start(input) {
+        Ok(start) => route.start = start,
+        Err((start, error)) => {
+            diagnostics.push(error);
+            route.start = Some(start);
+            recover::rest(input, &mut route);
+            return route;
+        }
+    }
     loop {
         let before = *input;
-        let word = input.word("repeat").or_else(|| recover::misspelt_repeat(input, diagnostics));
-        let read = if let Some(at) = word {
-            repeat(at, input, &mut route, &mut separators, diagnostics)
-        } else if let Some(group) = branch::group(input) {
-            branch::branches(group, &mut route, diagnostics)
-        } else {
-            route_item(input, diagnostics).map(|item| route.items.push(item))
-        };
-        if let Err(error) = read {
+        if let Err(error) = step(input, &mut route, &mut separators, diagnostics) {
             diagnostics.push(error);
             // The unexpected token may be the `;`.
             *input = before;
@@ -41,22 +43,66 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;
         }
-        let joined = separators.read(input, diagnostics);
-        route.complete &= !separators.branches;
-        if !joined {
+        if !joined(input, &mut route, &mut separators, diagnostics) {
             diagnostics.push(input.unexpected("`->` or `;`"));
-            // The error may be the last item or the token after it.
-            if let Some(RouteItemSyntax::Element { after_error, .. }) = route.items.last_mut() {
-                *after_error = true;
-            }
+            mark_error(&mut route);
             recover::rest(input, &mut route);
             return route;
         }
     }
 }
 
-/// Parses the rest of a repeated part after `repeat`. Errors in its count or in its items are
-/// reported, and the route continues after it.
+/// Reads a separator.
+fn joined(
+    input: &mut Cursor,
+    route: &mut RouteSyntax,
+    separators: &mut Separators,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let joined = separators.read(input, diagnostics);
+    route.complete &= !separators.branches;
+    joined
+}
+
+/// Notes that the next token is wrong: the error may be the last item.
+fn mark_error(route: &mut RouteSyntax) {
+    if let Some(StepSyntax::Item(RouteItemSyntax::Element { after_error, .. })) =
+        route.steps.last_mut()
+    {
+        *after_error = true;
+    }
+}
+
+/// Parses a step: an item, a repeated part, or items in brackets, which are an error.
+fn step(
+    input: &mut Cursor,
+    route: &mut RouteSyntax,
+    separators: &mut Separators,
+    diagnostics: &mut Diagnostics,
+) -> Result<()> {
+    let word = input.word("repeat").or_else(|| recover::misspelt_repeat(input, diagnostics));
+    if let Some(at) = word {
+        repeat(at, input, route, separators, diagnostics)
+    } else if let Some(group) = group_of_items(input) {
+        branches(group, route, diagnostics)
+    } else {
+        let item = route_item(input, diagnostics)?;
+        route.steps.push(StepSyntax::Item(item));
+        Ok(())
+    }
+}
+
+/// Reads the place at which a route begins, and the arrow after it. The error has the place.
+fn start(input: &mut Cursor) -> std::result::Result<Option<PathSyntax>, (PathSyntax, Error)> {
+    let Some(path) = path_of_several(input) else { return Ok(None) };
+    if input.pair('-', '>').is_none() {
+        return Err((path, input.unexpected("`->`")));
+    }
+    Ok(Some(path))
+}
+
+/// Parses the rest of a repeated part after `repeat`. Errors in it are reported, and the route
+/// continues after it.
 fn repeat(
     at: Span,
     input: &mut Cursor,
@@ -65,58 +111,116 @@ fn repeat(
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
     let count = count("a repeat count", input)?;
+    let seeds = seeds(input)?;
     let (inside, braces) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
-    let start = route.items.len();
-    let read = if inside.is_empty() {
+    let mut routes = Vec::new();
+    if inside.is_empty() {
         let message = format!("this `repeat` is empty: {}", RepeatSyntax::EXAMPLE);
-        Err(Error::new_spanned(braces, message))
+        diagnostics.push(Error::new_spanned(braces, message));
+        route.complete = false;
     } else {
-        contents(inside, route, separators, diagnostics)
-    };
-    match (count, read) {
-        (Ok(count), Ok(())) => {
-            route.repeats.push(RepeatSyntax {
-                at,
-                count: Some(count),
-                items: start..route.items.len(),
-            });
-        }
-        (count, read) => {
-            let times = count.as_ref().ok().copied();
-            for error in [count.err(), read.err()].into_iter().flatten() {
-                diagnostics.push(error);
-            }
-            route.complete = false;
-            let items = start..route.items.len();
-            if !items.is_empty() {
-                route.repeats.push(RepeatSyntax { at, count: times, items });
-            }
-        }
+        routes = repeated_routes(inside, separators, diagnostics);
+    }
+    let count = count.map_err(|error| {
+        diagnostics.push(error);
+        route.complete = false;
+    });
+    let count = count.ok();
+    if routes.iter().any(|route| !route.steps.is_empty()) {
+        route.steps.push(StepSyntax::Repeat(RepeatSyntax { at, count, seeds, routes }));
     }
     Ok(())
 }
 
-/// Parses the items in the braces of a `repeat`.
-fn contents(
+/// `from place = place, …`
+fn seeds(input: &mut Cursor) -> Result<Vec<SeedSyntax>> {
+    let mut seeds = Vec::new();
+    if input.word("from").is_none() {
+        return Ok(seeds);
+    }
+    loop {
+        let place = path_of_several(input).ok_or_else(|| input.unexpected("`body.place`"))?;
+        input.punct('=').ok_or_else(|| input.unexpected("`=`"))?;
+        let first = path_of_several(input).ok_or_else(|| input.unexpected("`body.place`"))?;
+        seeds.push(SeedSyntax { place, first });
+        if input.punct(',').is_none() {
+            return Ok(seeds);
+        }
+    }
+}
+
+/// Parses the routes in the braces of a `repeat`.
+fn repeated_routes(
     mut inside: Cursor,
+    separators: &mut Separators,
+    diagnostics: &mut Diagnostics,
+) -> Vec<RouteSyntax> {
+    let mut routes = Vec::new();
+    while !inside.is_empty() {
+        let mut route = RouteSyntax::at(inside.next_span());
+        if let Err(error) = repeated_route(&mut inside, &mut route, separators, diagnostics) {
+            diagnostics.push(error);
+            route.complete = false;
+            while !inside.is_empty() && inside.punct(';').is_none() {
+                after_error(&mut inside, &mut route);
+            }
+        }
+        routes.push(route);
+    }
+    routes
+}
+
+/// Parses one of the routes in the braces of a `repeat`.
+fn repeated_route(
+    inside: &mut Cursor,
     route: &mut RouteSyntax,
     separators: &mut Separators,
     diagnostics: &mut Diagnostics,
 ) -> Result<()> {
+    route.start = start(inside).map_err(|(_, error)| error)?;
     loop {
         if let Some(at) = inside.word("repeat") {
             return Err(Error::new(at, "`repeat` blocks cannot be nested"));
         }
-        route.items.push(route_item(&mut inside, diagnostics)?);
-        if inside.is_empty() {
+        let item = route_item(inside, diagnostics)?;
+        route.steps.push(StepSyntax::Item(item));
+        if inside.is_empty() || inside.punct(';').is_some() {
             return Ok(());
         }
-        if !separators.read(&mut inside, diagnostics) {
-            let error = inside.unexpected("`->` or `}`");
-            while !inside.is_empty() {
-                after_error(&mut inside, route);
-            }
-            return Err(error);
+        if !joined(inside, route, separators, diagnostics) {
+            return Err(inside.unexpected("`->`, `;` or `}`"));
         }
     }
+}
+
+/// Reads a group that contains route items: in other languages, branches.
+fn group_of_items<'a>(input: &mut Cursor<'a>) -> Option<(Cursor<'a>, SpanRange)> {
+    let groups = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis];
+    let mut ahead = *input;
+    let (inside, extent) = groups.into_iter().find_map(|delimiter| ahead.group(delimiter))?;
+    if !has_arrow(inside) {
+        return None;
+    }
+    *input = ahead;
+    Some((inside, extent))
+}
+
+/// Reports items in brackets and reads them, so that their names are known.
+fn branches(
+    (mut inside, extent): (Cursor, SpanRange),
+    route: &mut RouteSyntax,
+    diagnostics: &mut Diagnostics,
+) -> Result<()> {
+    diagnostics.error(extent.first, BRANCHES);
+    route.complete = false;
+    let mut separators = Separators::reported();
+    while !inside.is_empty() {
+        let item = route_item(&mut inside, diagnostics)?;
+        route.steps.push(StepSyntax::Item(item));
+        let joined = inside.punct(';').is_some() || separators.read(&mut inside, diagnostics);
+        if !joined {
+            inside.check_empty("`->` or `,`")?;
+        }
+    }
+    Ok(())
 }

@@ -5,7 +5,8 @@ use syn::Result;
 
 use super::cursor::Cursor;
 use super::lookahead::name;
-use super::tree::{ArgumentsSyntax, RouteItemSyntax, ValueSyntax};
+use super::route_tree::RouteItemSyntax;
+use super::tree::{ArgumentsSyntax, ValueSyntax};
 use super::value;
 use crate::diag::Diagnostics;
 

@@ -3,9 +3,9 @@
 use super::cursor::Cursor;
 use crate::diag::Diagnostics;
 
-/// The message for a route that branches.
-pub(super) const BRANCHES: &str = "a chain has no branches: write a branch as a separate chain, \
-                                   and couple the two by a `load` with `force = input` in each";
+/// The message for branches in brackets, or after other signs.
+pub(super) const BRANCHES: &str = "write a branch as another route, after the `;` of this one: \
+                                   `body.output -> …;`";
 
 /// Reads separators; wrong ones are reported once for each route.
 #[derive(Default)]

@@ -1,55 +1,13 @@
-//! The syntax tree: every node keeps the spans that messages point at.
+//! The syntax tree of blocks and values: every node keeps the spans that messages point at.
 
 pub use crate::diag::SpanRange;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use std::ops::Range;
-
-/// A chain as written.
-#[derive(Debug)]
-pub struct ChainSyntax {
-    /// Doc comments and attributes in front.
-    pub attributes: Vec<syn::Attribute>,
-    /// Visibility of the generated types.
-    pub visibility: syn::Visibility,
-    /// The dimension; `None` if its keyword is unknown.
-    pub dimension: Option<DimensionKeyword>,
-    /// The chain's name.
-    pub name: Ident,
-    /// `gravity = …;` and `method = …;`
-    pub settings: Vec<FieldSyntax>,
-    /// `param name = …;` and `param name[times] = …;`
-    pub parameters: Vec<ParameterSyntax>,
-    /// `body … { … }`, `hinge … { … }`, `load … { … }` and `spring … { … }`
-    pub blocks: Vec<BlockSyntax>,
-    /// The route; missing if there is none.
-    pub route: Option<RouteSyntax>,
-    /// Whether every item was readable. If not, nothing is reported as missing.
-    pub complete: bool,
-}
-
-/// The keyword before `chain`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DimensionKeyword {
-    /// `space`, or none
-    Space,
-    /// `plane`
-    Plane,
-    /// `line`
-    Line,
-}
-
-/// `name = value;` or `name[times] = value;`
-#[derive(Debug)]
-pub struct ParameterSyntax {
-    /// Name and value.
-    pub field: FieldSyntax,
-    /// The number of values, if there is one for each repetition of a part.
-    pub repetitions: Option<usize>,
-}
+use std::fmt;
+use std::rc::Rc;
 
 /// `name = value;`
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FieldSyntax {
     /// What is given.
     pub name: Ident,
@@ -71,124 +29,28 @@ pub enum BlockKeyword {
 }
 
 /// `body name { … }`, `hinge name, … { … }`, `load name { … }` or `spring name { … }`
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct BlockSyntax {
     /// Its keyword.
     pub word: BlockKeyword,
     /// The span of the keyword.
     pub at: Span,
-    /// The names that it describes, at least one.
-    pub names: Vec<Ident>,
+    /// The paths of what it describes, at least one.
+    pub names: Vec<PathSyntax>,
     /// Its fields.
     pub fields: Vec<FieldSyntax>,
     /// `point name = …;`
     pub points: Vec<FieldSyntax>,
     /// Whether every field has a name. If not, no field is reported as missing.
     pub complete: bool,
-    /// Whether it follows the route.
+    /// Whether it follows the first route; in a part, whether it is no body type.
     pub after_route: bool,
-}
-
-/// Route items joined by arrows.
-#[derive(Debug)]
-pub struct RouteSyntax {
-    /// The items in the order written; repeated ones are here once.
-    pub items: Vec<RouteItemSyntax>,
-    /// The repeated parts in the order written.
-    pub repeats: Vec<RepeatSyntax>,
-    /// Whether all of it was readable. If not, nothing is reported as missing.
-    pub complete: bool,
-    /// Further routes, which are an error. Their items are in `items` too, so that their names are
-    /// known.
-    pub further: Vec<FurtherRoute>,
-}
-
-impl RouteSyntax {
-    /// Adds a further route that begins at this token.
-    pub fn add(&mut self, at: Span, other: RouteSyntax) {
-        let start = self.items.len();
-        let moved = |items: Range<usize>| start + items.start..start + items.end;
-        self.further.push(FurtherRoute { at, start });
-        self.items.extend(other.items);
-        let repeats = other.repeats.into_iter();
-        self.repeats
-            .extend(repeats.map(|repeat| RepeatSyntax { items: moved(repeat.items), ..repeat }));
-        // Both may be parts of one route.
-        self.complete = false;
-    }
-
-    /// Returns the number of items of the first route.
-    pub fn first_end(&self) -> usize {
-        self.further.first().map_or(self.items.len(), |further| further.start)
-    }
-}
-
-/// A further route.
-#[derive(Debug)]
-pub struct FurtherRoute {
-    /// Its first token.
-    pub at: Span,
-    /// The index of its first item among those of all routes.
-    pub start: usize,
-}
-
-/// `repeat count { item -> … }`
-#[derive(Debug)]
-pub struct RepeatSyntax {
-    /// The span of the keyword.
-    pub at: Span,
-    /// The number of repetitions, at least one; `None` if it was not readable.
-    pub count: Option<usize>,
-    /// The indices of its items, at least one, among those of the route.
-    pub items: Range<usize>,
-}
-
-impl RepeatSyntax {
-    /// An example for messages.
-    pub const EXAMPLE: &str = "write it as in `repeat 100 { pin joint -> Rod rod }`";
-}
-
-/// An item of the route.
-#[derive(Debug)]
-pub enum RouteItemSyntax {
-    /// `ground [at position] [turned …]`
-    Ground {
-        /// The span of the keyword.
-        at: Span,
-        /// The position of the frame on the ground.
-        position: Option<Box<ValueSyntax>>,
-        /// The orientation of the frame on the ground.
-        turned: Option<Box<OrientationSyntax>>,
-    },
-    /// `moving name`
-    Moving {
-        /// The span of the keyword.
-        at: Span,
-        /// The name.
-        name: Option<Ident>,
-    },
-    /// A hinge with an error that is reported; only its name is readable.
-    Unread {
-        /// The name.
-        name: Option<Ident>,
-    },
-    /// `kind(arguments) name` or `Type name`
-    Element {
-        /// The kind of a hinge or the type of a body.
-        word: Ident,
-        /// The arguments after the word.
-        arguments: Option<ArgumentsSyntax>,
-        /// The name.
-        name: Option<Ident>,
-        /// The span of a position on it, as in `crank.lug` or `crank at lug`, which is an error.
-        place: Option<Span>,
-        /// Whether it follows an error, so that its words are not checked.
-        after_error: bool,
-    },
+    /// The number of routes before it.
+    pub routes_before: usize,
 }
 
 /// The arguments of a hinge.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ArgumentsSyntax {
     /// Separated by commas.
     pub values: Vec<ValueSyntax>,
@@ -197,7 +59,7 @@ pub struct ArgumentsSyntax {
 }
 
 /// A value: anything that may follow `=`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ValueSyntax {
     /// A number, with or without a unit, or a single word.
     Number(ExprSyntax),
@@ -209,12 +71,14 @@ pub enum ValueSyntax {
     Form(FormSyntax),
     /// `a unit about word`
     About(ExprSyntax, Ident),
-    /// `body.point` or `body at point`, an error: the body, and the span of all.
+    /// A path of several names, such as `body.point`
+    Path(PathSyntax),
+    /// `body at point`, an error: the body, and the span of all.
     PlaceOn(Ident, SpanRange),
 }
 
 /// The orientation after `turned`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum OrientationSyntax {
     /// The angle of a rotation about an axis that is known.
     Angle(ExprSyntax),
@@ -243,6 +107,7 @@ impl ValueSyntax {
             }
             ValueSyntax::Form(form) => form.extent(),
             ValueSyntax::About(expr, point) => expr.extent.to(SpanRange::token(point.span())),
+            ValueSyntax::Path(path) => path.extent(),
             ValueSyntax::PlaceOn(_, extent) => *extent,
         }
     }
@@ -250,21 +115,63 @@ impl ValueSyntax {
     /// Describes the value for messages.
     pub fn described(&self) -> String {
         match self {
-            ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => {
-                format!("`{word}`")
-            }
+            ValueSyntax::Number(ExprSyntax {
+                kind: ExprKind::Name(word) | ExprKind::Argument(word, _),
+                ..
+            }) => format!("`{word}`"),
             ValueSyntax::Number(_) => "a number".into(),
             ValueSyntax::Vector(_) => "a vector".into(),
             ValueSyntax::Turned(..) => "a rotated frame".into(),
             ValueSyntax::Form(form) => format!("`{}(…)`", form.word),
             ValueSyntax::About(..) => "a number about a point".into(),
+            ValueSyntax::Path(path) => format!("`{path}`"),
             ValueSyntax::PlaceOn(body, _) => format!("a point of `{body}`"),
         }
     }
 }
 
+/// Names joined by points: instances of parts, then a body or a hinge, then a place of a body.
+#[derive(Clone, Debug)]
+pub struct PathSyntax {
+    /// The span of `last`, if it is a place of the previous repetition.
+    pub last: Option<Span>,
+    /// The names, at least one.
+    pub names: Vec<Ident>,
+}
+
+impl PathSyntax {
+    /// Returns the path of a single name.
+    pub fn name(name: Ident) -> Self {
+        PathSyntax { last: None, names: vec![name] }
+    }
+
+    /// Returns the last name.
+    pub fn end(&self) -> &Ident {
+        self.names.last().unwrap_or_else(|| bug!("a path has no names"))
+    }
+
+    /// From the first to the last name.
+    pub fn extent(&self) -> SpanRange {
+        let names = SpanRange::token(self.names[0].span()).to(SpanRange::token(self.end().span()));
+        self.last.map_or(names, |last| SpanRange::token(last).to(names))
+    }
+}
+
+impl fmt::Display for PathSyntax {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.last.is_some() {
+            f.write_str("last.")?;
+        }
+        for (index, name) in self.names.iter().enumerate() {
+            let point = if index > 0 { "." } else { "" };
+            write!(f, "{point}{name}")?;
+        }
+        Ok(())
+    }
+}
+
 /// Numbers with a common unit: `a, b, c` in brackets or parentheses, and the unit after them.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ListSyntax {
     /// The numbers between the brackets.
     pub entries: Vec<ExprSyntax>,
@@ -275,7 +182,7 @@ pub struct ListSyntax {
 }
 
 /// `word(a, b, …) unit about word`, such as `rpy(0, 0, 90) deg`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FormSyntax {
     /// The keyword before the parentheses.
     pub word: Ident,
@@ -293,7 +200,7 @@ impl FormSyntax {
 }
 
 /// A number as written.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ExprSyntax {
     /// What it is.
     pub kind: ExprKind,
@@ -302,12 +209,16 @@ pub struct ExprSyntax {
 }
 
 /// What a number is made of.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A literal.
     Number(f64),
     /// A single identifier.
     Name(Ident),
+    /// A parameter of a part, which is written out: its name and its argument.
+    Argument(Ident, Rc<ExprSyntax>),
+    /// A number with an error that is reported.
+    Lost,
     /// A Rust path of several segments, unread.
     Path(TokenStream),
     /// `-a`
@@ -325,7 +236,7 @@ pub enum ExprKind {
 }
 
 /// A term of a sum.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct TermSyntax {
     /// Whether it is subtracted.
     pub negative: bool,
@@ -334,7 +245,7 @@ pub struct TermSyntax {
 }
 
 /// A factor of a product.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FactorSyntax {
     /// Whether it divides.
     pub divides: bool,

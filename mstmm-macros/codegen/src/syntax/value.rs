@@ -5,6 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::other_programs::TURNED;
+use super::path::path_of_several;
 use super::tree::{
     ExprKind, ExprSyntax, FormSyntax, ListSyntax, OrientationSyntax, SpanRange, ValueSyntax,
 };
@@ -19,6 +20,9 @@ pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
         return form(input).map(ValueSyntax::Form);
     }
     let start = SpanRange::token(input.next_span());
+    if let Some(path) = path_of_several(input) {
+        return Ok(ValueSyntax::Path(path));
+    }
     let position = position(input)?;
     if let ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(body), .. }) = &position
         && place(input).is_some()
@@ -185,7 +189,10 @@ impl ValueSyntax {
     /// Returns the value if it is a single word, such as `input`.
     pub fn word(&self) -> Option<&Ident> {
         match self {
-            ValueSyntax::Number(ExprSyntax { kind: ExprKind::Name(word), .. }) => Some(word),
+            ValueSyntax::Number(ExprSyntax {
+                kind: ExprKind::Name(word) | ExprKind::Argument(word, _),
+                ..
+            }) => Some(word),
             _ => None,
         }
     }

@@ -1,14 +1,14 @@
 //! Bodies.
 
-use super::route::whole_route;
+use super::route::readable_routes;
 use crate::diag::Diagnostics;
 use crate::model::condition::Requirement;
-use crate::model::lower::{Draft, POINTS, RouteItem, listed};
+use crate::model::lower::{Draft, POINTS, PlacePoint, RouteItem, RouteStart, listed};
 use crate::model::rules::MASS;
 
-/// Reports body types that the route does not use: most likely an error in the route.
+/// Reports body types that no route uses: most likely an error in a route.
 pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let lost = |item: &RouteItem| {
+    let is_lost = |item: &RouteItem| {
         matches!(
             item,
             RouteItem::Unknown { .. }
@@ -16,17 +16,19 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
                 | RouteItem::Body { body_type: None, .. }
         )
     };
-    let items = whole_route(draft);
-    if items.is_empty() || items.iter().any(lost) {
+    if readable_routes(draft).next().is_none() || draft.items.iter().any(is_lost) {
         return;
     }
-    for body in &draft.types {
-        let uses =
-            |item: &RouteItem| matches!(item, RouteItem::Body { word, .. } if *word == body.name);
-        if !draft.items.iter().any(uses) {
+    let mut is_used = vec![false; draft.types.all.len()];
+    for item in &draft.items {
+        if let RouteItem::Body { body_type: Some(index), .. } = item {
+            is_used[*index] = true;
+        }
+    }
+    for (body, is_used) in draft.types.all.iter().zip(is_used) {
+        if !is_used {
             let message = format!(
-                "type `{}` is not used on the route: add a body of this type, \
-                                   or remove the block",
+                "type `{}` is not used on the route: add a body of this type, or remove the block",
                 body.name
             );
             diagnostics.error(body.name.span(), message);
@@ -35,28 +37,15 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
 }
 
 /// Reports missing fields: a body type has a mass, a centre of mass and an inertia, and an
-/// output if a hinge follows it.
+/// output if a hinge leaves it.
 pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
-    // A hinge at the end, which is an error, needs no output.
-    let is_hinge = |item: &RouteItem| matches!(item, RouteItem::Hinge { .. });
-    let joined = draft.items.iter().rposition(|item| !is_hinge(item)).map_or(0, |last| last + 1);
-    let (last, items) = match draft.items[..joined].split_last() {
-        Some((last, items)) => (Some(last), items),
-        None => (None, &draft.items[..]),
-    };
-    let last_is_followed = draft.def.route.iter().flat_map(|route| &route.repeats).any(|repeat| {
-        // The next repetition follows, except after the last one.
-        repeat.count.is_some_and(|count| count > 1) && repeat.items.end >= joined
-    });
-    // If the route has errors, it is unknown which bodies a hinge follows.
+    // If a route has errors, it is unknown which bodies a hinge leaves.
     let is_again = |item: &RouteItem| matches!(item, RouteItem::Duplicate { .. });
-    let is_whole = draft.def.route.as_ref().is_some_and(|route| route.complete)
-        && !draft.items.iter().any(is_again);
-    for (index, body) in draft.types.iter().enumerate() {
-        let is_it = |item: &RouteItem| matches!(item, RouteItem::Body { body_type, .. } if *body_type == Some(index));
-        let is_followed = items.iter().any(is_it) || (last_is_followed && last.is_some_and(is_it));
+    let is_whole = draft.written.routes_are_complete && !draft.items.iter().any(is_again);
+    let is_left = outputs_with_a_hinge(draft);
+    for (body, is_left) in draft.types.all.iter().zip(is_left) {
         let missing: Vec<_> =
-            body.missing(is_followed && is_whole).iter().map(|name| format!("`{name}`")).collect();
+            body.missing(is_left && is_whole).iter().map(|name| format!("`{name}`")).collect();
         if !missing.is_empty() {
             let message = format!("body `{}` needs {}", body.name, listed(&missing));
             diagnostics.error(body.name.span(), message);
@@ -64,12 +53,50 @@ pub(super) fn fields_are_given(draft: &Draft, diagnostics: &mut Diagnostics) {
     }
 }
 
+/// Returns whether a hinge leaves the output of a body of each type.
+fn outputs_with_a_hinge(draft: &Draft) -> Vec<bool> {
+    let mut is_left = vec![false; draft.types.all.len()];
+    let mut leave = |item: usize| {
+        if let RouteItem::Body { body_type: Some(index), .. } = &draft.items[item] {
+            is_left[*index] = true;
+        }
+    };
+    for (route, start) in draft.written.routes.iter().zip(&draft.starts) {
+        // A hinge at the end, which is an error, needs no output.
+        let last = route.items.iter().rposition(|&item| !draft.items[item].is_hinge());
+        let Some(last) = last else { continue };
+        route.items[..last].iter().for_each(|&item| leave(item));
+        let places = match start {
+            RouteStart::Item => [None, None],
+            RouteStart::Place(place) => [*place, None],
+            RouteStart::Previous(place) => {
+                [place.map(|place| place.previous), place.map(|place| place.first)]
+            }
+        };
+        let outputs =
+            places.into_iter().flatten().filter(|place| place.point == PlacePoint::Output);
+        outputs.for_each(|place| leave(place.item));
+    }
+    for repeat in &draft.written.repeats {
+        // The next repetition follows, except after the last one.
+        let route = &draft.written.routes[repeat.route];
+        let items = &route.items[repeat.on_route.clone()];
+        let last = items.iter().rposition(|&item| !draft.items[item].is_hinge());
+        if let Some(last) = last
+            && repeat.syntax.count.is_some_and(|count| count > 1)
+        {
+            leave(items[last]);
+        }
+    }
+    is_left
+}
+
 /// Methods of the results at a body, which are no names for points.
 const RESERVED: &[&str] = &["clone"];
 
 /// Reports points with the name of another point of the type, or of a point that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for body in &draft.types {
+    for body in &draft.types.all {
         for (index, point) in body.points.iter().enumerate() {
             let name = point.name;
             let message = if POINTS.iter().any(|known| name == known) {
@@ -88,6 +115,6 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
 
 /// Requires positive masses.
 pub(super) fn masses_are_positive(draft: &Draft) -> Vec<Requirement> {
-    let masses = draft.types.iter().filter_map(|body| body.mass.as_ref());
+    let masses = draft.types.all.iter().filter_map(|body| body.mass.as_ref());
     masses.map(|mass| vec![MASS.condition(mass.value.clone(), mass.at)]).collect()
 }

@@ -11,7 +11,7 @@ const ALIKE: f64 = 1e-6;
 type Vector = Vec3<f64>;
 
 /// Returns the end of a message: what to write instead of hinges in a row.
-pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
+pub(super) fn advice(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> String {
     match compound(hinges, defaults) {
         Some(kind) => format!("; write one hinge `{kind}` instead"),
         None => "; add a body there, with a small mass".into(),
@@ -19,7 +19,7 @@ pub(super) fn advice(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
 }
 
 /// Returns the kind of hinge that is equivalent to all of these, if there is one.
-fn compound(hinges: &[RouteItem], defaults: &[Option<f64>]) -> Option<&'static str> {
+fn compound(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> Option<&'static str> {
     let kinds: Option<Vec<&HingeKind>> = hinges
         .iter()
         .map(|item| match item {

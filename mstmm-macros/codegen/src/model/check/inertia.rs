@@ -10,7 +10,7 @@ const ORDER: &str = "`tensor` has the order xx, yy, zz, xy, xz, yz";
 
 /// Requires moments of inertia that are not negative.
 pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
-    let moments = draft.types.iter().filter_map(|body| {
+    let moments = draft.types.all.iter().filter_map(|body| {
         let inertia = body.inertia.as_ref()?;
         let moments = inertia.value.tensor[..3].iter().enumerate();
         let order = if body.is_tensor() { format!("; {ORDER}") } else { String::new() };
@@ -26,7 +26,7 @@ pub(super) fn moments_are_not_negative(draft: &Draft) -> Vec<Requirement> {
 
 /// Requires that a distribution of mass with this inertia exists, about any point.
 pub(super) fn inertias_are_physical(draft: &Draft) -> Vec<Requirement> {
-    let bodies = draft.types.iter();
+    let bodies = draft.types.all.iter();
     bodies.filter_map(|body| Some(real(draft.space, body, body.inertia.as_ref()?))).collect()
 }
 

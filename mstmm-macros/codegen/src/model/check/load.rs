@@ -12,7 +12,7 @@ pub(super) fn loads_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
         let missing = load.missing();
         if !missing.is_empty() {
             let message = format!("load `{}` needs {}", load.name, listed(&missing));
-            diagnostics.error(load.name.span(), message);
+            diagnostics.error(load.name.joined.span(), message);
         }
     }
 }
@@ -23,7 +23,7 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
         let missing = spring.missing();
         if !missing.is_empty() {
             let message = format!("spring `{}` needs {}", spring.name, listed(&missing));
-            diagnostics.error(spring.name.span(), message);
+            diagnostics.error(spring.name.joined.span(), message);
         }
     }
 }

@@ -2,7 +2,6 @@
 //! read.
 
 mod body;
-mod branch;
 mod compound;
 mod hinge;
 mod inertia;
@@ -12,6 +11,7 @@ mod number;
 mod passive;
 mod repeat;
 mod route;
+mod tree;
 
 use super::condition::{Requirement, judge};
 use super::lower::Draft;
@@ -48,14 +48,17 @@ const RULES: &[ModelRule] = &[
     name::names_are_not_reserved,
     name::names_are_not_keywords,
     name::types_are_described_once,
+    name::result_types_are_unique,
     name::body_types_are_not_keywords,
+    name::parts_are_not_keywords_or_types,
     name::parameters_are_not_keywords,
     route::there_is_a_route_with_a_body,
-    route::there_is_one_route,
+    tree::further_routes_begin_at_places,
     route::ground_is_at_the_ends,
     route::hinges_and_bodies_alternate,
     route::hinges_connect_two_sides,
     route::closed_chains_can_move,
+    tree::transfer_is_for_chains,
     repeat::repeats_follow_something,
     repeat::repeats_begin_with_a_hinge_and_end_with_a_body,
     repeat::repeats_contain_no_ends,

@@ -1,13 +1,12 @@
 //! Names.
 
 use proc_macro2::Ident;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use syn::ext::IdentExt;
 
-use super::route::repeat_around;
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, KINDS, RouteItem};
-use crate::syntax::FUNCTIONS;
+use crate::model::lower::{BodyType, Draft, ItemName, KINDS, RouteItem};
+use crate::syntax::{BlockSyntax, FUNCTIONS};
 
 /// Methods of the generated types, which are no names for hinges, bodies or parameters.
 const RESERVED: &[&str] = &[
@@ -58,40 +57,48 @@ const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 /// Keywords of newer editions of Rust, which the parser accepts as names.
 const LATER_KEYWORDS: &[&str] = &["gen"];
 
-/// A name of a hinge, a body, a moving end, a parameter, a load or a spring.
-struct UsedName<'a> {
-    ident: &'a Ident,
+/// A name of a hinge, a body, a moving end, a parameter, a load, a spring or an instance of a part.
+struct UsedName {
+    name: ItemName,
     /// Whether it was made from the name of the type.
     made: bool,
     /// The prefixes and suffixes of its further methods.
     also: &'static [(&'static str, &'static str)],
-    /// The end of the message if the name is used already.
-    twice: &'static str,
+    /// The index of its item.
+    item: Option<usize>,
 }
 
-fn names<'a>(draft: &'a Draft) -> Vec<UsedName<'a>> {
+fn names(draft: &Draft) -> Vec<UsedName> {
+    let plain = |name: ItemName| UsedName { name, made: false, also: &[], item: None };
+    let chain = &draft.written.scopes[0];
     let parameters = draft.def.parameters.iter();
-    let plain = |ident| UsedName { ident, made: false, also: &[], twice: "" };
-    let parameters = parameters.map(|def| plain(&def.field.name));
+    let parameters = parameters.map(|def| plain(chain.item_name(&def.field.name)));
     let items = draft.items.iter().enumerate().filter_map(|(index, item)| {
         let made = matches!(item, RouteItem::Body { named: false, .. });
-        let repeated =
-            repeat_around(draft, index).is_some() && matches!(item, RouteItem::Hinge { .. });
+        let repeated = draft.written.items[index].repeat.is_some() && item.is_hinge();
         let also = if repeated { REPEATED } else { CHANGED };
-        let twice = if made { "; write a name after the type" } else { twice(draft, index) };
-        Some(UsedName { ident: item.name()?, made, also, twice })
+        Some(UsedName { name: item.name()?.clone(), made, also, item: Some(index) })
     });
-    let acting = acting(draft).map(plain);
-    parameters.chain(items).chain(acting).collect()
+    let instances = draft.written.scopes.iter().filter_map(|scope| {
+        let name = scope.name.clone()?;
+        Some(UsedName { made: !scope.is_named, ..plain(name) })
+    });
+    let acting = acting(draft).map(|name| plain(name.clone()));
+    parameters.chain(items).chain(instances).chain(acting).collect()
 }
 
 /// Returns the end of the message for an item with the name of an earlier one: it may be meant to
 /// close a loop.
-fn twice(draft: &Draft, index: usize) -> &'static str {
-    let (before, after) = draft.items.split_at(index);
-    let is_same = |other: &RouteItem| other.name() == after.first().and_then(RouteItem::name);
-    match after {
-        [RouteItem::Body { word, .. }]
+fn twice(draft: &Draft, name: &UsedName) -> &'static str {
+    let Some(index) = name.item else { return "" };
+    if name.made {
+        return "; write a name after the type";
+    }
+    let before = &draft.items[..index];
+    let is_same =
+        |other: &RouteItem| other.name().is_some_and(|other| other.path == name.name.path);
+    match &draft.items[index] {
+        RouteItem::Body { word, .. }
             // A hinge back to the same body is no loop.
             if before.iter().rev().skip(2).any(|other| {
                 is_same(other) && matches!(other, RouteItem::Body { word: same, .. } if same == word)
@@ -99,7 +106,7 @@ fn twice(draft: &Draft, index: usize) -> &'static str {
         {
             "; a loop can close only at the ground or at a moving end"
         }
-        [RouteItem::Moving { .. }] if before.first().is_some_and(is_same) => {
+        RouteItem::Moving { .. } if before.first().is_some_and(is_same) => {
             "; give this end another name, and both ends the same motion"
         }
         _ => "",
@@ -111,33 +118,36 @@ const CHANGED: &[(&str, &str)] = &[("", "_mut")];
 /// Those of a repeated hinge.
 const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
 
-impl UsedName<'_> {
+impl UsedName {
     /// Returns the names of its further methods.
     fn methods(&self) -> impl Iterator<Item = String> {
-        self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.ident))
+        self.also.iter().map(|(start, end)| format!("{start}{}{end}", self.name.joined))
     }
 }
 
 /// The names of loads and springs.
-fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a Ident> {
-    let springs = draft.springs.iter().map(|spring| spring.name);
-    draft.loads.iter().map(|load| load.name).chain(springs)
+fn acting<'a>(draft: &'a Draft) -> impl Iterator<Item = &'a ItemName> {
+    let springs = draft.springs.iter().map(|spring| &spring.name);
+    draft.loads.iter().map(|load| &load.name).chain(springs)
 }
 
 /// Reports names that are Rust keywords: names become methods and types.
 pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let types = draft.types.iter().map(|body| body.name);
+    let types = || draft.types.all.iter().map(|body| body.name);
+    let refused_types: HashSet<String> = types().map(|name| name.unraw().to_string()).collect();
     let mut names = names(draft);
     // If the name is made from the type, the type is reported.
-    names.retain(|name| !name.made || types.clone().all(|of_type| of_type.unraw() != *name.ident));
-    let points = draft.types.iter().flat_map(|body| &body.points).map(|point| point.name);
-    let idents = names.iter().map(|name| name.ident).chain(types).chain(points);
-    let idents = idents.chain([&draft.def.name]);
-    for name in idents {
+    names.retain(|name| !name.made || !refused_types.contains(&name.name.joined.to_string()));
+    let points = draft.types.all.iter().flat_map(|body| &body.points).map(|point| point.name);
+    let names = names.iter().map(|name| (name.name.own(), &name.name.joined));
+    let plain = types().chain(points).chain([&draft.def.name]);
+    let plain: Vec<(String, &Ident)> = plain.map(|name| (name.to_string(), name)).collect();
+    let plain = plain.iter().map(|(text, name)| (&**text, *name));
+    for (own, name) in names.chain(plain) {
         let text = name.to_string();
         let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);
-        if text.starts_with("r#") || keyword {
-            let message = format!("`{text}` is a keyword of Rust and cannot be a name");
+        if own.starts_with("r#") || own == "_" || keyword {
+            let message = format!("`{own}` is a keyword of Rust and cannot be a name");
             diagnostics.name(name, message);
         }
     }
@@ -152,40 +162,54 @@ pub(super) fn chain_names_are_not_the_scalar_type(draft: &Draft, diagnostics: &m
     }
 }
 
-/// Reports names of hinges, bodies, parameters, loads and springs that are used twice. A hinge or
+/// Reports names of hinges, bodies, parameters, loads, springs and parts that are used twice. A hinge or
 /// body `x` also has the method `x_mut`, and a repeated hinge `set_each_x`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     // The owner of each method.
-    let mut owners: HashMap<String, &Ident> = HashMap::new();
-    for name in &names {
-        let text = name.ident.to_string();
-        let methods: Vec<String> = [text.clone()].into_iter().chain(name.methods()).collect();
+    let mut owners: HashMap<String, &ItemName> = HashMap::new();
+    for used in &names {
+        let name = &used.name;
+        let methods: Vec<String> =
+            [name.joined.to_string()].into_iter().chain(used.methods()).collect();
         let shared = methods.iter().find_map(|method| Some((method, *owners.get(method)?)));
         if let Some((method, other)) = shared {
-            let message = match other == name.ident {
-                true => format!("the name `{text}` is used twice{}", name.twice),
-                false => format!("`{text}` and `{other}` both have a method `{method}`"),
+            let message = if other.path == name.path {
+                let own = name.own();
+                let part = part_of(draft, used)
+                    .map_or_else(String::new, |part| format!(" in part `{part}`"));
+                format!("the name `{own}` is used twice{part}{}", twice(draft, used))
+            } else {
+                format!("`{name}` and `{other}` both make the method `{method}`: rename one")
             };
-            diagnostics.name(name.ident, message);
+            diagnostics.name(&name.joined, message);
         }
         for method in methods {
-            owners.entry(method).or_insert(name.ident);
+            owners.entry(method).or_insert(name);
         }
     }
+}
+
+/// Returns the part in which an item is written.
+fn part_of<'d>(draft: &'d Draft, used: &UsedName) -> Option<&'d Ident> {
+    let scope = draft.written.items[used.item?].scope;
+    draft.written.scopes[scope].part.map(|part| &part.name)
 }
 
 /// Reports names that equal an input of a load: a load `x` has the inputs `x_force` and `x_torque`.
 pub(super) fn load_inputs_have_unique_names(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
-    for load in draft.loads.iter().map(|load| load.name) {
-        for input in [format!("{load}_force"), format!("{load}_torque")] {
-            if let Some(other) = names.iter().find(|other| other.ident == &input) {
+    let mut by_name: HashMap<String, &ItemName> = HashMap::new();
+    for used in &names {
+        by_name.entry(used.name.joined.to_string()).or_insert(&used.name);
+    }
+    for load in draft.loads.iter().map(|load| &load.name) {
+        for input in ["force", "torque"].map(|input| format!("{}_{input}", load.joined)) {
+            if let Some(other) = by_name.get(&input) {
                 let message = format!(
-                    "`{input}` is reserved for an input of load `{load}`: \
-                                       choose another name"
+                    "`{input}` is reserved for an input of load `{load}`: choose another name"
                 );
-                diagnostics.name(other.ident, message);
+                diagnostics.name(&other.joined, message);
             }
         }
     }
@@ -193,43 +217,80 @@ pub(super) fn load_inputs_have_unique_names(draft: &Draft, diagnostics: &mut Dia
 
 /// Reports names of hinges, bodies and parameters that are methods of every chain.
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for name in names(draft) {
-        let text = name.ident.to_string();
-        let mut methods = name.methods().chain([text.clone()]);
+    for used in names(draft) {
+        let text = used.name.joined.to_string();
+        let mut methods = used.methods().chain([text.clone()]);
         if methods.any(|method| RESERVED.contains(&&*method)) {
             let message =
                 format!("`{text}` is reserved for the generated types and cannot be a name");
-            diagnostics.name(name.ident, message);
+            diagnostics.name(&used.name.joined, message);
         }
         if INPUTS.contains(&&*text) {
             let message = format!("`{text}` is an input of chains and cannot be a name");
-            diagnostics.name(name.ident, message);
+            diagnostics.name(&used.name.joined, message);
         }
     }
 }
 
 /// Reports names that are keywords of items.
 pub(super) fn names_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let names = names(draft);
-    let names = names.iter().filter(|name| !name.made).map(|name| name.ident);
-    refuse_words(names, ITEM_WORDS, diagnostics);
+    for used in names(draft).iter().filter(|used| !used.made) {
+        if ITEM_WORDS.contains(&used.name.own()) {
+            refuse_word(used.name.own(), &used.name.joined, diagnostics);
+        }
+    }
 }
 
 /// Reports body types with several blocks.
 pub(super) fn types_are_described_once(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for (index, body) in draft.types.iter().enumerate() {
-        if draft.types[..index].iter().any(|other| other.name == body.name) {
+    // Instances of a part have the same blocks.
+    let mut described: HashMap<String, *const BlockSyntax> = HashMap::new();
+    for body in &draft.types.all {
+        let source = std::ptr::from_ref(body.source);
+        let key = format!("{}.{}", body.part.map_or_else(String::new, Ident::to_string), body.name);
+        if *described.entry(key).or_insert(source) != source {
             let message = format!("body type `{}` is described twice", body.name);
             diagnostics.name(body.name, message);
         }
     }
 }
 
+/// Reports types in parts whose results have the same name as those of another type.
+pub(super) fn result_types_are_unique(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let mut owners: HashMap<String, &BodyType> = HashMap::new();
+    for body in &draft.types.all {
+        let name = &body.result_name;
+        let other = *owners.entry(name.to_string()).or_insert(body);
+        if other.part != body.part {
+            let message = format!(
+                "the results of this type have the name `{name}`, as those of another type: rename \
+                 one of them, or its part"
+            );
+            diagnostics.error(body.name.span(), message);
+        }
+    }
+}
+
+/// Reports parts with the name of a keyword of a route or of a body type.
+pub(super) fn parts_are_not_keywords_or_types(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let words: Vec<_> = type_keywords().collect();
+    let number_words: Vec<_> = NUMBER_WORDS.iter().chain(FUNCTIONS).copied().collect();
+    let types: HashSet<String> = draft.types.all.iter().map(|body| body.name.to_string()).collect();
+    for part in &draft.def.parts {
+        let name = &part.name;
+        refuse_words([name].into_iter(), &words, diagnostics);
+        if types.contains(&name.to_string()) {
+            let message = format!("`{name}` is a part and a body type: rename one");
+            diagnostics.name(name, message);
+        }
+        refuse_words(part.parameters.iter(), &number_words, diagnostics);
+    }
+}
+
 /// Reports body types with the name of a keyword of the route.
 pub(super) fn body_types_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let kinds = KINDS.iter().map(|kind| kind.word);
-    let words: Vec<_> = kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied()).collect();
-    let names = draft.types.iter().map(|body| body.name);
+    let words: Vec<_> = type_keywords().collect();
+    let names = draft.types.all.iter().map(|body| body.name);
     refuse_words(names, &words, diagnostics);
 }
 
@@ -240,18 +301,23 @@ pub(super) fn parameters_are_not_keywords(draft: &Draft, diagnostics: &mut Diagn
     refuse_words(names, &words, diagnostics);
 }
 
+/// Returns the keywords that cannot be names of types and parts.
+fn type_keywords() -> impl Iterator<Item = &'static str> {
+    let kinds = KINDS.iter().map(|kind| kind.word);
+    kinds.chain(ROUTE_WORDS.iter().chain(ITEM_WORDS).copied())
+}
+
 fn refuse_words<'a>(
     names: impl Iterator<Item = &'a Ident>,
     words: &[&str],
     diagnostics: &mut Diagnostics,
 ) {
     for name in names.filter(|name| words.iter().any(|word| name == word)) {
-        diagnostics.name(
-            name,
-            format!(
-                "`{name}` is a keyword of this language and cannot be a \
-                                        name"
-            ),
-        );
+        refuse_word(&name.to_string(), name, diagnostics);
     }
+}
+
+fn refuse_word(word: &str, name: &Ident, diagnostics: &mut Diagnostics) {
+    let message = format!("`{word}` is a keyword of this language and cannot be a name");
+    diagnostics.name(name, message);
 }

@@ -1,26 +1,33 @@
-//! Parts of the route that are repeated.
+//! Parts of routes that are repeated.
 
-use super::route::{called, whole_route};
+use super::route::{RouteView, called, readable_routes};
 use crate::diag::Diagnostics;
-use crate::model::lower::{Draft, RouteItem};
+use crate::model::lower::{Draft, RouteItem, WrittenRepeat};
 use crate::syntax::RepeatSyntax;
 
-/// Returns the readable repeated parts of the route, each with its items.
-fn repeats<'d, 'a>(
+/// Returns the repeated parts if all routes are readable.
+fn repeats<'d, 'a>(draft: &'d Draft<'a>) -> impl Iterator<Item = &'a WrittenRepeat<'a>> {
+    let is_readable = readable_routes(draft).next().is_some();
+    draft.written.repeats.iter().filter(move |_| is_readable)
+}
+
+/// Returns the items of the first route of a repeated part.
+fn first_route<'d, 'a>(
     draft: &'d Draft<'a>,
-) -> impl Iterator<Item = (&'d RepeatSyntax, &'d [RouteItem<'a>])> {
-    let items = whole_route(draft);
-    let repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
-    repeats.filter_map(|repeat| Some((repeat, items.get(repeat.items.clone())?)))
+    repeat: &WrittenRepeat,
+) -> impl DoubleEndedIterator<Item = &'d RouteItem<'a>> {
+    let route = &draft.written.routes[repeat.route];
+    route.items[repeat.on_route.clone()].iter().map(|&item| &draft.items[item])
 }
 
 /// Reports a repeated part at the beginning of a route: its first hinge needs an inboard body.
 pub(super) fn repeats_follow_something(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for (repeat, _) in repeats(draft) {
-        if repeat.items.start == 0 {
+    for repeat in repeats(draft) {
+        let route = &draft.written.routes[repeat.route];
+        if repeat.on_route.start == 0 && route.syntax.start.is_none() {
             let message = "a route cannot begin with `repeat`: \
                            begin it with a body, with `ground` or with `moving`";
-            diagnostics.error(repeat.at, message);
+            diagnostics.error(repeat.syntax.at, message);
         }
     }
 }
@@ -30,14 +37,15 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
     draft: &Draft,
     diagnostics: &mut Diagnostics,
 ) {
-    for (_, items) in repeats(draft) {
-        let (first, last) = (items.first(), items.last());
+    for repeat in repeats(draft) {
+        let mut items = first_route(draft, repeat);
+        let (first, last) = (items.next(), first_route(draft, repeat).next_back());
         let wrong = [
             (
                 first.filter(|item| matches!(item, RouteItem::Body { body_type: Some(_), .. })),
                 "begins with a hinge",
             ),
-            (last.filter(|item| matches!(item, RouteItem::Hinge { .. })), "ends with a body"),
+            (last.filter(|item| item.is_hinge()), "ends with a body"),
         ];
         for (item, verdict) in wrong {
             if let Some((at, name)) = item.and_then(called) {
@@ -51,34 +59,33 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
 
 /// Reports ends of the chain in a repeated part.
 pub(super) fn repeats_contain_no_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for item in repeats(draft).flat_map(|(_, items)| items) {
+    for item in repeats(draft).flat_map(|repeat| &draft.items[repeat.items.clone()]) {
         let (at, word) = match item {
             RouteItem::Ground { at, .. } => (*at, "ground"),
             RouteItem::Moving { at, .. } => (*at, "moving"),
             _ => continue,
         };
-        diagnostics.error(
-            at,
-            format!(
-                "`{word}` cannot be in a `repeat`: it is an end of the \
-                                       route"
-            ),
-        );
+        let message = format!("`{word}` cannot be in a `repeat`: it is an end of the route");
+        diagnostics.error(at, message);
     }
 }
 
 /// Reports repeated parts in a chain that is held at its end only: repetitions are evaluated from
 /// the held or floating start.
 pub(super) fn repeats_follow_the_held_end(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let items = whole_route(draft);
-    let [RouteItem::Body { .. }, .., RouteItem::Ground { .. } | RouteItem::Moving { .. }] = items
-    else {
+    let Some(first) = readable_routes(draft).next() else { return };
+    let is_reversed = first.items().next().is_some_and(RouteItem::is_body)
+        && first.items().next_back().is_some_and(RouteItem::is_end);
+    if !is_reversed {
         return;
+    }
+    let on_first = |repeat: &&WrittenRepeat| {
+        // An end inside a repeated part is reported there.
+        repeat.route == RouteView::FIRST && repeat.on_route.end < first.len()
     };
-    // An end inside a repeated part is reported there.
-    for (repeat, _) in repeats(draft).filter(|(repeat, _)| repeat.items.end < items.len()) {
+    for repeat in repeats(draft).filter(on_first) {
         let message = "a chain with `repeat` must begin at the end that is held: reverse the \
                        route";
-        diagnostics.error(repeat.at, message);
+        diagnostics.error(repeat.syntax.at, message);
     }
 }

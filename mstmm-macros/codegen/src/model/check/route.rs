@@ -1,34 +1,75 @@
-//! The route: a chain of bodies with hinges between them.
+//! The routes: bodies with hinges between them.
 
 use proc_macro2::Span;
 
-use super::{branch, compound};
+use super::compound;
 use crate::diag::Diagnostics;
 use crate::model::Drive;
-use crate::model::lower::{Draft, ItemProperties, RouteItem, listed};
-use crate::syntax::RepeatSyntax;
+use crate::model::lower::{Draft, RouteItem, WrittenRepeat, WrittenRoute, listed};
 
-/// Returns the items if the whole route is readable and has a body, and nothing otherwise.
-pub(super) fn whole_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
-    let items = readable_route(draft);
-    if has_body(items) { items } else { &[] }
+/// A route with its items.
+#[derive(Clone, Copy)]
+pub(super) struct RouteView<'d, 'a> {
+    draft: &'d Draft<'a>,
+    /// Its index.
+    pub index: usize,
+    /// As written.
+    pub route: &'a WrittenRoute<'a>,
 }
 
-fn readable_route<'d, 'a>(draft: &'d Draft<'a>) -> &'d [RouteItem<'a>] {
-    match &draft.def.route {
-        Some(route) if route.complete => &draft.items,
-        _ => &[],
+impl<'d, 'a> RouteView<'d, 'a> {
+    /// The index of the first route.
+    pub const FIRST: usize = 0;
+
+    /// Returns its items.
+    pub fn items(self) -> impl DoubleEndedIterator<Item = &'d RouteItem<'a>> {
+        self.route.items.iter().map(|&item| &self.draft.items[item])
+    }
+
+    /// Returns the number of its items.
+    pub fn len(self) -> usize {
+        self.route.items.len()
+    }
+
+    /// Returns the repeated part that contains the item at this position.
+    pub fn repeat_around(self, position: usize) -> Option<&'a WrittenRepeat<'a>> {
+        let item = *self.route.items.get(position)?;
+        self.draft.written.items[item].repeat.map(|repeat| &self.draft.written.repeats[repeat])
+    }
+
+    /// Returns whether a repeated part begins or ends between this position and the next one with a wrong item, which
+    /// another rule reports.
+    fn boundary_is_wrong(self, position: usize) -> bool {
+        let item = |position: usize| &self.draft.items[self.route.items[position]];
+        let of_this_route = |repeat: &&WrittenRepeat| repeat.route == self.index;
+        let around = |position| self.repeat_around(position).filter(of_this_route);
+        let begins = around(position + 1).is_some_and(|at| at.on_route.start == position + 1);
+        let ends = around(position).is_some_and(|at| at.on_route.end == position + 1);
+        (begins && !item(position + 1).is_hinge()) || (ends && !item(position).is_body())
     }
 }
 
-fn has_body(items: &[RouteItem]) -> bool {
-    let is_body = |item: &RouteItem| {
+/// Returns the routes if all of them are readable and the first one has a body, and nothing otherwise.
+pub(super) fn readable_routes<'d, 'a>(
+    draft: &'d Draft<'a>,
+) -> impl Iterator<Item = RouteView<'d, 'a>> {
+    let has_body = complete_routes(draft).next().is_some_and(has_body);
+    complete_routes(draft).filter(move |_| has_body)
+}
+
+fn complete_routes<'d, 'a>(draft: &'d Draft<'a>) -> impl Iterator<Item = RouteView<'d, 'a>> {
+    let routes = draft.written.routes.iter().enumerate();
+    let routes = routes.map(|(index, route)| RouteView { draft, index, route });
+    routes.filter(|_| draft.written.routes_are_complete)
+}
+
+fn has_body(route: RouteView) -> bool {
+    route.items().any(|item| {
         matches!(
             item,
             RouteItem::Body { .. } | RouteItem::Unknown { .. } | RouteItem::Duplicate { .. }
         )
-    };
-    items.iter().any(is_body)
+    })
 }
 
 /// Returns the span and the description of an item for a message.
@@ -37,188 +78,169 @@ pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
         RouteItem::Ground { at, .. } => Some((*at, "`ground`".into())),
         RouteItem::Moving { at, name } => Some((
             *at,
-            name.map_or_else(|| "`moving`".into(), |name| format!("moving end `{name}`")),
+            name.as_ref().map_or_else(|| "`moving`".into(), |name| format!("moving end `{name}`")),
         )),
         RouteItem::Hinge { word, name, .. } => Some(match name {
-            Some(name) => (name.span(), format!("hinge `{name}`")),
+            Some(name) => (name.joined.span(), format!("hinge `{name}`")),
             None => (word.span(), format!("`{word}`")),
         }),
-        RouteItem::Body { name, .. } => Some((name.span(), format!("body `{name}`"))),
+        RouteItem::Body { name, .. } => Some((name.joined.span(), format!("body `{name}`"))),
         RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => None,
     }
 }
 
-/// Reports a missing route, and a route without a body.
+/// Reports a missing route, and routes without a body.
 pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
-    if draft.def.route.is_none() && draft.def.complete {
-        diagnostics.error(
-            name.span(),
-            format!(
-                "chain `{name}` has no route: write one, as in \
-                                                `ground -> slider joint -> Car car;`"
-            ),
+    if draft.def.content.routes.is_empty() && draft.written.complete {
+        let message = format!(
+            "chain `{name}` has no route: write one, as in `ground -> slider joint -> Car car;`"
         );
+        diagnostics.error(name.span(), message);
     }
-    let items = readable_route(draft);
-    if let (Some((at, _)), false) = (items.first().and_then(called), has_body(items)) {
-        diagnostics.error(at, "the route has no body: add at least one");
-    }
-}
-
-/// Reports further routes.
-pub(super) fn there_is_one_route(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let Some(route) = &draft.def.route else { return };
-    let ends = route.further.iter().skip(1).map(|further| further.start);
-    for (further, end) in route.further.iter().zip(ends.chain([draft.items.len()])) {
-        let items = &draft.items[further.start..end];
-        let message = branch::of_route(&draft.items[..route.first_end()], items);
-        diagnostics.error(further.at, message);
+    for route in complete_routes(draft).filter(|route| !has_body(*route)) {
+        if let Some((at, _)) = route.items().next().and_then(called) {
+            diagnostics.error(at, "the route has no body: add at least one");
+        }
     }
 }
 
-/// Returns the repeated part that contains an item.
-pub(super) fn repeat_around<'d>(draft: &'d Draft, item: usize) -> Option<&'d RepeatSyntax> {
-    let mut repeats = draft.def.route.iter().flat_map(|route| &route.repeats);
-    repeats.find(|repeat| repeat.items.contains(&item))
-}
-
-/// Reports `ground` and moving ends within the route.
+/// Reports `ground` and moving ends within a route.
 pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let [_, middle @ .., _] = whole_route(draft) else { return };
-    for (index, item) in middle.iter().enumerate() {
-        let (at, word) = match item {
-            RouteItem::Ground { at, .. } => (*at, "ground"),
-            RouteItem::Moving { at, .. } => (*at, "moving"),
-            _ => continue,
-        };
-        // One in a repeated part is reported there.
-        if repeat_around(draft, index + 1).is_none() {
-            let message = format!(
-                "`{word}` can only be at an end of the route: end this chain here, and write the \
-                 rest as a second chain"
-            );
-            diagnostics.error(at, message);
+    for route in readable_routes(draft) {
+        for (position, item) in route.items().enumerate() {
+            let (at, word) = match item {
+                RouteItem::Ground { at, .. } => (*at, "ground"),
+                RouteItem::Moving { at, .. } => (*at, "moving"),
+                _ => continue,
+            };
+            let is_start = position == 0 && route.route.syntax.start.is_none();
+            // One in a repeated part is reported there.
+            if is_start || route.repeat_around(position).is_some() {
+                continue;
+            }
+            if position + 1 < route.len() {
+                let message = format!(
+                    "`{word}` can only be at an end of the route: end this route here, and begin \
+                     another one with `{word}`"
+                );
+                diagnostics.error(at, message);
+            } else if route.index != RouteView::FIRST {
+                let message = "this closes a loop: only the first route may end on the ground or \
+                               at a moving end";
+                diagnostics.error(at, message);
+            }
         }
     }
 }
 
 /// Reports bodies without a hinge between them, and hinges without a body between them.
 pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let items = whole_route(draft);
     let defaults = draft.defaults();
-    for (index, pair) in items.windows(2).enumerate() {
-        let [first, second] = pair else { continue };
-        if boundary_is_wrong(draft, index) {
-            continue;
+    for route in readable_routes(draft) {
+        let items: Vec<&RouteItem> = route.items().collect();
+        for position in 0..items.len().saturating_sub(1) {
+            if !route.boundary_is_wrong(position)
+                && let Some((at, message)) = pair_message(&items, position, &defaults)
+            {
+                diagnostics.error(at, message);
+            }
         }
-        let at_start = index == 0;
-        let at_end = index + 2 == items.len();
-        let (Some((_, first_name)), Some((at, second_name))) = (called(first), called(second))
-        else {
-            continue;
-        };
-        let message = match (first, second) {
-            (RouteItem::Hinge { .. }, RouteItem::Hinge { .. }) => {
-                match hinges_in_a_row(items, index) {
-                    Some(hinges) => bodies_are_missing(hinges, &defaults),
-                    None => continue,
-                }
-            }
-            (
-                RouteItem::Body { body_type: Some(_), .. },
-                RouteItem::Body { body_type: Some(_), .. },
-            ) => {
-                let [first, second] =
-                    [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
-                format!(
-                    "bodies {first} and {second} have no hinge between them: add one, such \
-                         as `weld name`"
-                )
-            }
-            (
-                RouteItem::Ground { .. } | RouteItem::Moving { .. },
-                RouteItem::Body { body_type: Some(_), .. },
-            ) if at_start => {
-                format!(
-                    "{first_name} and {second_name} have no hinge between them: add one, \
-                         such as `weld name`"
-                )
-            }
-            (
-                RouteItem::Body { body_type: Some(_), .. },
-                RouteItem::Ground { .. } | RouteItem::Moving { .. },
-            ) if at_end => {
-                format!(
-                    "{first_name} and {second_name} have no hinge between them: add one, \
-                         such as `weld name`"
-                )
-            }
-            _ => continue,
-        };
-        diagnostics.error(at, message);
+        // A hinge follows the place at which the route begins.
+        if let (Some(start), Some(body @ RouteItem::Body { body_type: Some(_), .. })) =
+            (&route.route.syntax.start, items.first())
+            && let Some((at, name)) = called(body)
+        {
+            let message = format!(
+                "`{start}` and {name} have no hinge between them: add one, such as `weld name`"
+            );
+            diagnostics.error(at, message);
+        }
     }
 }
 
-/// Returns the hinges in a row that begin at this item; `None` if it is not the first of them.
-fn hinges_in_a_row<'d, 'a>(
-    items: &'d [RouteItem<'a>],
+/// Returns the span and the message if two items in a row are wrong.
+fn pair_message(
+    items: &[&RouteItem],
+    position: usize,
+    defaults: &[Option<f64>],
+) -> Option<(Span, String)> {
+    let (first, second) = (items[position], items[position + 1]);
+    let ((_, first_name), (at, second_name)) = (called(first)?, called(second)?);
+    let is_known_body =
+        |item: &RouteItem| matches!(item, RouteItem::Body { body_type: Some(_), .. });
+    if first.is_hinge() && second.is_hinge() {
+        let hinges = hinges_in_a_row(items, position)?;
+        return Some((at, bodies_are_missing(hinges, defaults)));
+    }
+    let (at_start, at_end) = (position == 0, position + 2 == items.len());
+    let names = if is_known_body(first) && is_known_body(second) {
+        let [first, second] =
+            [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
+        format!("bodies {first} and {second}")
+    } else if (first.is_end() && is_known_body(second) && at_start)
+        || (is_known_body(first) && second.is_end() && at_end)
+    {
+        format!("{first_name} and {second_name}")
+    } else {
+        return None;
+    };
+    Some((at, format!("{names} have no hinge between them: add one, such as `weld name`")))
+}
+
+/// Returns the hinges in a row that begin at this position; `None` if it is not the first of them.
+fn hinges_in_a_row<'i, 'd, 'a>(
+    items: &'i [&'d RouteItem<'a>],
     first: usize,
-) -> Option<&'d [RouteItem<'a>]> {
-    let is_hinge = |item: &RouteItem| matches!(item, RouteItem::Hinge { .. });
-    if items[..first].last().is_some_and(is_hinge) {
+) -> Option<&'i [&'d RouteItem<'a>]> {
+    if items[..first].last().is_some_and(|item| item.is_hinge()) {
         return None;
     }
-    let count = items[first..].iter().take_while(|item| is_hinge(item)).count();
+    let count = items[first..].iter().take_while(|item| item.is_hinge()).count();
     Some(&items[first..first + count])
 }
 
-fn bodies_are_missing(hinges: &[RouteItem], defaults: &[Option<f64>]) -> String {
-    let names = hinges.iter().filter_map(called);
+fn bodies_are_missing(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> String {
+    let names = hinges.iter().filter_map(|hinge| called(hinge));
     let names: Vec<String> =
         names.map(|(_, name)| name.trim_start_matches("hinge ").to_owned()).collect();
     let advice = compound::advice(hinges, defaults);
     format!("hinges {} have no body between them{advice}", listed(&names))
 }
 
-/// Returns whether a repeated part begins or ends between this item and the next one with a wrong
-/// item, which another rule reports.
-fn boundary_is_wrong(draft: &Draft, item: usize) -> bool {
-    let begins = repeat_around(draft, item + 1).filter(|repeat| repeat.items.start == item + 1);
-    let ends = repeat_around(draft, item).filter(|repeat| repeat.items.end == item + 1);
-    (begins.is_some() && !matches!(draft.items[item + 1], RouteItem::Hinge { .. }))
-        || (ends.is_some() && !matches!(draft.items[item], RouteItem::Body { .. }))
-}
-
-/// Reports hinges at an end of the route.
+/// Reports hinges at an end of a route.
 pub(super) fn hinges_connect_two_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let items = whole_route(draft);
-    let Some(last) = items.len().checked_sub(1) else { return };
-    for (index, verb) in [(0, "begin"), (last, "end")] {
-        let item = &items[index];
-        if !matches!(item, RouteItem::Hinge { .. }) || repeat_around(draft, index).is_some() {
-            continue;
+    for route in readable_routes(draft) {
+        let Some(last) = route.len().checked_sub(1) else { continue };
+        let begins_with_item =
+            route.index == RouteView::FIRST && route.route.syntax.start.is_none();
+        let begin = begins_with_item.then_some((0, "begin"));
+        for (position, verb) in begin.into_iter().chain([(last, "end")]) {
+            let item = &draft.items[route.route.items[position]];
+            let around = route.repeat_around(position).filter(|at| at.route == route.index);
+            if !item.is_hinge() || around.is_some() {
+                continue;
+            }
+            let Some((at, name)) = called(item) else { continue };
+            let ends = if route.index == RouteView::FIRST { " or with `ground`" } else { "" };
+            let message = format!("{name} connects nothing: {verb} the route with a body{ends}");
+            diagnostics.error(at, message);
         }
-        let Some((at, name)) = called(item) else { continue };
-        let message =
-            format!("{name} connects nothing: {verb} the route with a body or with `ground`");
-        diagnostics.error(at, message);
     }
 }
 
 /// Reports closed chains without a hinge that is free to move.
 pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let is_end =
-        |item: &RouteItem| matches!(item, RouteItem::Ground { .. } | RouteItem::Moving { .. });
-    let [first, middle @ .., last] = whole_route(draft) else { return };
-    if !(is_end(first) && is_end(last)) {
+    let Some(route) = readable_routes(draft).next() else { return };
+    let [first, middle @ .., last] = &route.route.items[..] else { return };
+    let last = &draft.items[*last];
+    if !(draft.items[*first].is_end() && last.is_end()) {
         return;
     }
-    let properties = draft.properties.iter().skip(1);
-    let is_rigid = |(item, properties): (&RouteItem, &ItemProperties)| match item {
+    let is_rigid = |&item: &usize| match &draft.items[item] {
         RouteItem::Body { .. } => true,
         RouteItem::Hinge { spec, .. } => {
-            let motion = properties.motion.as_ref();
+            let motion = draft.properties[item].motion.as_ref();
             spec.groups.is_empty() || motion.is_some_and(|motion| motion.drive == Drive::Prescribed)
         }
         RouteItem::Ground { .. }
@@ -226,10 +248,10 @@ pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostic
         | RouteItem::Unknown { .. }
         | RouteItem::Duplicate { .. } => false,
     };
-    let has_body = middle.iter().any(|item| matches!(item, RouteItem::Body { .. }));
+    let has_body = middle.iter().any(|&item| draft.items[item].is_body());
     if let Some((at, _)) = called(last)
         && has_body
-        && middle.iter().zip(properties).all(is_rigid)
+        && middle.iter().all(is_rigid)
     {
         let message = "the chain is held at both ends and all its hinges are welds or \
                        prescribed: add a hinge that can move, or leave one end free";

@@ -76,17 +76,21 @@ fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'
 
 /// Returns the number without its signs.
 fn without_sign(mut expr: &ExprSyntax) -> &ExprSyntax {
-    while let ExprKind::Negated(inner) = &expr.kind {
-        expr = inner;
+    loop {
+        expr = match &expr.kind {
+            ExprKind::Negated(inner) => inner,
+            ExprKind::Argument(_, argument) => argument,
+            _ => return expr,
+        };
     }
-    expr
 }
 
 /// Whether `PI` is part of an expression, or of the default of a parameter in it.
 fn uses_pi(expr: &ExprSyntax, parameters: &[KnownParameter]) -> bool {
     let any = |expr: &ExprSyntax| uses_pi(expr, parameters);
     match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Path(_) => false,
+        ExprKind::Number(_) | ExprKind::Path(_) | ExprKind::Lost => false,
+        ExprKind::Argument(_, argument) => any(argument),
         ExprKind::Name(name) if name == "PI" => true,
         // No default uses another parameter.
         ExprKind::Name(_) => parameter(expr, parameters)

@@ -1,14 +1,17 @@
 //! Body types: `body Type { … }`.
 
 use proc_macro2::Ident;
+use std::collections::HashMap;
+use syn::ext::IdentExt;
 
 use super::context::{Context, Spanned};
 use super::dimension::{LENGTH, MASS};
-use super::fields::{self, Fields};
+use super::fields::{self, FieldOwner, Fields};
 use super::inertia;
+use super::parts::{WrittenBlock, WrittenOut};
 use super::vector::zeros;
 use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
-use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, SpanRange, ValueSyntax};
+use crate::syntax::{BlockKeyword, BlockSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// The fields of a body type.
 pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
@@ -29,31 +32,64 @@ pub(crate) struct BodyType<'a> {
     pub inertia: Option<Spanned<Inertia>>,
     /// The output frame.
     pub output: Option<Spanned<Frame>>,
-    /// Its named points, in m.
+    /// Its named points.
     pub points: Vec<PointDraft<'a>>,
+    /// The beginning of the name of the type of its results: its name, after that of its part.
+    pub result_name: Ident,
+    /// The part in which it is described.
+    pub part: Option<&'a Ident>,
+    /// The block as written.
+    pub source: &'a BlockSyntax,
     block: &'a BlockSyntax,
     space: Dimension,
+}
+
+/// All body types.
+pub(crate) struct BodyTypes<'a> {
+    /// The types. Instances of a part share those that do not depend on its parameters.
+    pub all: Vec<BodyType<'a>>,
+    /// The first type of each name in each scope.
+    by_name: HashMap<(usize, String), usize>,
+    /// The types of each scope.
+    of_scope: HashMap<usize, Vec<usize>>,
+}
+
+impl<'a> BodyTypes<'a> {
+    /// Returns the index of the type that a name means in a scope: one of the part, or one of the chain.
+    pub fn find(&self, scope: usize, name: &Ident) -> Option<usize> {
+        let in_scope = |scope: usize| self.by_name.get(&(scope, name.to_string())).copied();
+        in_scope(scope).or_else(|| in_scope(0))
+    }
+
+    /// Returns the types that a scope may use.
+    pub fn visible(&self, scope: usize) -> impl Iterator<Item = &BodyType<'a>> {
+        let chain = (scope > 0).then_some(0);
+        let scopes = [Some(scope), chain].into_iter().flatten();
+        let types = scopes.filter_map(|scope| self.of_scope.get(&scope)).flatten();
+        types.map(|&index| &self.all[index])
+    }
 }
 
 /// A named point.
 pub(crate) struct PointDraft<'a> {
     /// The name.
     pub name: &'a Ident,
-    /// Where it is in the body frame, in m.
-    pub position: Option<[Value; 3]>,
+    /// The frame there, in the body frame.
+    pub frame: Option<Frame>,
 }
 
 impl PointDraft<'_> {
-    /// Returns the point; `None` if its position was not readable.
+    /// Returns the point; `None` if its frame was not readable.
     pub fn finish(&self) -> Option<NamedPoint> {
-        let frame = Frame { position: self.position.clone()?, ..Frame::identity() };
-        Some(NamedPoint { name: self.name.clone(), frame })
+        Some(NamedPoint { name: self.name.clone(), frame: self.frame.clone()? })
     }
 }
 
 /// Whether a block describes a body type.
 pub(super) fn is_type(block: &BlockSyntax) -> bool {
-    block.word == BlockKeyword::Body && !block.after_route
+    block.word == BlockKeyword::Body
+        && !block.after_route
+        && block.names.iter().all(|path| path.names.len() == 1)
 }
 
 /// Returns whether a block has fields that only a body type has.
@@ -63,16 +99,41 @@ pub(super) fn describes_type(block: &BlockSyntax) -> bool {
 }
 
 /// All body types.
-pub(super) fn types<'a>(def: &'a ChainSyntax, context: &mut Context) -> Vec<BodyType<'a>> {
-    let blocks = def.blocks.iter().filter(|block| is_type(block));
-    blocks.filter_map(|block| body_type(block, context)).collect()
+pub(super) fn types<'a>(written: &'a WrittenOut<'a>, context: &mut Context) -> BodyTypes<'a> {
+    let (by_name, of_scope) = (HashMap::new(), HashMap::<usize, Vec<usize>>::new());
+    let mut types = BodyTypes { all: Vec::new(), by_name, of_scope };
+    // Blocks without parameters are read once.
+    let mut read: HashMap<*const BlockSyntax, usize> = HashMap::new();
+    for block in written.blocks.iter().filter(|block| is_type(&block.syntax)) {
+        let key = std::ptr::from_ref(&*block.syntax);
+        let index = match read.get(&key) {
+            Some(&index) => index,
+            None => {
+                let part = written.scopes[block.scope].part.map(|part| &part.name);
+                let Some(body_type) = body_type(block, part, context) else { continue };
+                types.all.push(body_type);
+                types.all.len() - 1
+            }
+        };
+        read.insert(key, index);
+        let name = types.all[index].name.to_string();
+        types.by_name.entry((block.scope, name)).or_insert(index);
+        types.of_scope.entry(block.scope).or_default().push(index);
+    }
+    types
 }
 
-fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyType<'a>> {
-    let (name, others) = block.names.split_first()?;
+fn body_type<'a>(
+    written: &'a WrittenBlock<'a>,
+    part: Option<&'a Ident>,
+    context: &mut Context,
+) -> Option<BodyType<'a>> {
+    let block = &*written.syntax;
+    let (path, others) = block.names.split_first()?;
+    let name = path.end();
     if let Some(other) = others.first() {
         context.diagnostics.error(
-            other.span(),
+            other.end().span(),
             "a block describes one body type: write a \
                                                  block for each",
         );
@@ -81,7 +142,7 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
     let owner = format!("body `{name}`{}", context.of_chain());
     let listed = [field_names(context.space), &[POINT]].concat();
     for field in &block.fields {
-        fields.add(field, &listed, &owner, context);
+        fields.add(field, &listed, &FieldOwner::of_block(&owner), context);
     }
     let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| fields.get(f));
     let body_type = BodyType {
@@ -94,6 +155,12 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
             .and_then(|f| context.field(f, |context, syntax| context.read_inertia(syntax))),
         output: output.and_then(|f| context.field(f, |context, syntax| context.read_frame(syntax))),
         points: block.points.iter().map(|point| self::point(point, context)).collect(),
+        result_name: match part {
+            Some(part) => Ident::new(&format!("{}{}", part.unraw(), name.unraw()), name.span()),
+            None => name.clone(),
+        },
+        part,
+        source: written.source,
         block,
         space: context.space,
     };
@@ -101,8 +168,8 @@ fn body_type<'a>(block: &'a BlockSyntax, context: &mut Context) -> Option<BodyTy
 }
 
 fn point<'a>(point: &'a FieldSyntax, context: &mut Context) -> PointDraft<'a> {
-    let position = context.field(point, |context, syntax| context.read_vector(syntax, LENGTH));
-    PointDraft { name: &point.name, position: position.map(|position| position.value) }
+    let frame = context.field(point, |context, syntax| context.read_frame(syntax));
+    PointDraft { name: &point.name, frame: frame.map(|frame| frame.value) }
 }
 
 fn field_names(space: Dimension) -> &'static [&'static str] {

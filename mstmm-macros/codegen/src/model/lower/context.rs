@@ -1,7 +1,7 @@
 //! What the lowering knows of the chain around the place at which it works.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
+use std::collections::HashSet;
 
 use super::dimension::PhysicalDimension;
 use crate::diag::{Diagnostics, did_you_mean};
@@ -26,9 +26,9 @@ pub(super) struct Context<'a> {
     /// Requirements on values that are not known.
     pub requirements: Vec<Requirement>,
     /// Fields that have been read.
-    read: Vec<*const FieldSyntax>,
+    read: HashSet<*const FieldSyntax>,
     /// Fields with a reported error: several hinges may share a field.
-    faulty: Vec<*const FieldSyntax>,
+    faulty: HashSet<*const FieldSyntax>,
 }
 
 /// A parameter that may be used.
@@ -76,13 +76,17 @@ impl<'a> Context<'a> {
             diagnostics,
             complete,
             requirements: Vec::new(),
-            read: Vec::new(),
-            faulty: Vec::new(),
+            read: HashSet::new(),
+            faulty: HashSet::new(),
         }
     }
 
     /// Reports an error that covers `at` and returns `None`.
-    pub fn refuse<T>(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Option<T> {
+    pub fn refuse<T>(
+        &mut self,
+        at: impl Into<SpanRange>,
+        message: impl std::fmt::Display,
+    ) -> Option<T> {
         self.diagnostics.error_over(at, message);
         None
     }
@@ -123,9 +127,9 @@ impl<'a> Context<'a> {
         if self.read.contains(&std::ptr::from_ref(field)) {
             self.requirements.truncate(requirements);
         }
-        self.read.push(field);
+        self.read.insert(field);
         if value.is_none() {
-            self.faulty.push(field);
+            self.faulty.insert(field);
         }
         value.map(|value| Spanned { value, at: syntax.extent() })
     }

@@ -4,28 +4,46 @@ use super::context::Context;
 use super::dimension::{INERTIA, LENGTH, MASS, Quantity, STIFFNESS};
 use super::unit;
 use crate::diag::nearest;
-use crate::syntax::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
+use crate::syntax::{ExprKind, ExprSyntax, FieldSyntax, PathSyntax, ValueSyntax};
+use proc_macro2::Ident;
 
 /// Fields by name, each known and given once.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fields<'a> {
-    fields: Vec<&'a FieldSyntax>,
+    /// The fields, each with the part in which it is written.
+    fields: Vec<(&'a FieldSyntax, Option<&'a Ident>)>,
     refused: bool,
 }
 
+/// What fields describe, for messages.
+pub(super) struct FieldOwner<'o, 'a> {
+    /// In words: a kind of hinge or a name.
+    pub name: &'o str,
+    /// Its path in a block for several items.
+    pub path: Option<&'o PathSyntax>,
+    /// The part in which the fields are written.
+    pub part: Option<&'a Ident>,
+}
+
+impl<'o> FieldOwner<'o, '_> {
+    /// Returns an owner with a block of its own.
+    pub fn of_block(name: &'o str) -> Self {
+        FieldOwner { name, path: None, part: None }
+    }
+}
+
 impl<'a> Fields<'a> {
-    /// Adds a field, or reports it if it is not `allowed` or given twice. `owner` is the described
-    /// part, for messages.
-    pub(in crate::model::lower) fn add(
+    /// Adds a field, or reports it if it is not `allowed` or given twice.
+    pub(super) fn add(
         &mut self,
         field: &'a FieldSyntax,
         allowed: &[&str],
-        owner: &str,
+        owner: &FieldOwner<'_, 'a>,
         context: &mut Context,
     ) -> Option<()> {
         let message = self.fault(field, allowed, owner);
         let Some(message) = message else {
-            self.fields.push(field);
+            self.fields.push((field, owner.part));
             return Some(());
         };
         self.refuse();
@@ -35,7 +53,8 @@ impl<'a> Fields<'a> {
     }
 
     /// Returns the error in a field, if there is one.
-    fn fault(&self, field: &FieldSyntax, allowed: &[&str], owner: &str) -> Option<String> {
+    fn fault(&self, field: &FieldSyntax, allowed: &[&str], owner: &FieldOwner) -> Option<String> {
+        let FieldOwner { name: owner, path, part } = owner;
         let name = field.name.to_string();
         if !allowed.contains(&name.as_str()) {
             let hint = match meant(&name, allowed) {
@@ -48,7 +67,13 @@ impl<'a> Fields<'a> {
             };
             return Some(format!("{owner} has no field `{name}`{hint}"));
         }
-        self.get(&name).map(|_| format!("`{name}` of {owner} is given twice"))
+        let (_, earlier) = self.fields.iter().find(|(field, _)| field.name == name)?;
+        Some(match (earlier, path) {
+            (Some(earlier), Some(path)) if *part != Some(*earlier) => {
+                format!("`{name}` of `{path}` is given in part `{earlier}` already")
+            }
+            _ => format!("`{name}` of {owner} is given twice"),
+        })
     }
 
     /// Notes that a field was refused, so that no field is reported as missing.
@@ -63,7 +88,7 @@ impl<'a> Fields<'a> {
 
     /// The field of this name.
     pub fn get(&self, name: &str) -> Option<&'a FieldSyntax> {
-        self.fields.iter().copied().find(|field| field.name == name)
+        self.fields.iter().map(|(field, _)| *field).find(|field| field.name == name)
     }
 }
 
@@ -173,11 +198,15 @@ fn fits(value: &ValueSyntax, field: &str) -> bool {
     match field {
         "mass" => is_number && (is_plain || measures(MASS)),
         "stiffness" => is_number && (is_plain || measures(STIFFNESS)),
-        "com" | "output" | "to" => is_place,
+        "to" => is_place || matches!(value, ValueSyntax::Path(_)),
+        "com" | "output" => is_place,
         "inertia" => {
             matches!(value, ValueSyntax::Form(_) | ValueSyntax::About(..)) || measures(INERTIA)
         }
-        "on" => value.word().is_some_and(|word| word != "input"),
+        "on" => {
+            matches!(value, ValueSyntax::Path(_))
+                || value.word().is_some_and(|word| word != "input")
+        }
         "force" | "torque" => {
             matches!(value, ValueSyntax::Vector(_))
                 || value.word().is_some_and(|word| word == "input")

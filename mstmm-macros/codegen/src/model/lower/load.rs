@@ -1,31 +1,22 @@
 //! Loads and springs: `load name { … }` and `spring name { … }`.
 
-use proc_macro2::Ident;
-
-use super::body::BodyType;
 use super::context::{Context, Spanned};
 use super::dimension::{DAMPING, FORCE, LENGTH, STIFFNESS, TORQUE};
-use super::fields::{self, Fields};
-use super::properties::has_duplicates;
-use super::route::RouteItem;
-use super::vector::zeros;
+use super::fields::{self, FieldOwner, Fields};
+use super::load_ends::{LoadTarget, SpringTo, on, spring_to};
+use super::numbering::Numbering;
+use super::parts::{ItemName, WrittenBlock};
+use super::place::Resolved;
+use super::start::Seeds;
 use crate::diag::did_you_mean;
-use crate::model::{BodyId, BodyPoint, Dimension, Frame, LoadAxes, Source, SpringEnd, Value};
-use crate::syntax::{
-    BlockKeyword, BlockSyntax, ChainSyntax, FieldSyntax, ListSyntax, SpanRange, ValueSyntax,
-};
+use crate::model::{BodyPoint, Dimension, Frame, LoadAxes, Source, SpringEnd, Value};
+use crate::syntax::{BlockKeyword, BlockSyntax, ValueSyntax};
 
 /// The fields of a load.
 pub(super) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// A line chain has no torques.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
 pub(super) const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
-/// The message for a spring between two bodies.
-const BETWEEN_BODIES: &str = "a spring connects a body to the ground: between two bodies write \
-                              two loads with `force = input`, and give them opposite forces at \
-                              each step";
-/// The points that every body has.
-pub(crate) const POINTS: &[&str] = &["input", "output", "com"];
 pub(super) const AXES: &[(&str, LoadAxes)] =
     &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
 
@@ -33,9 +24,9 @@ pub(super) const AXES: &[(&str, LoadAxes)] =
 pub(crate) struct LoadDraft<'a> {
     block: &'a BlockSyntax,
     /// Its name.
-    pub name: &'a Ident,
-    /// The body that it acts on.
-    pub body: Option<BodyId>,
+    pub name: ItemName,
+    /// The body that it acts on: the index of its item.
+    pub body: Option<usize>,
     /// Where the force acts.
     pub at: Option<[Value; 3]>,
     /// The axes of force and torque.
@@ -46,17 +37,17 @@ pub(crate) struct LoadDraft<'a> {
     pub torque: Option<Source>,
 }
 
-/// A spring to the ground, as far as it is readable.
+/// A spring, as far as it is readable.
 pub(crate) struct SpringDraft<'a> {
     block: &'a BlockSyntax,
     /// Its name.
-    pub name: &'a Ident,
-    /// The body that it acts on.
-    pub body: Option<BodyId>,
+    pub name: ItemName,
+    /// The body that it acts on: the index of its item.
+    pub body: Option<usize>,
     /// Its point of application.
     pub at: Option<[Value; 3]>,
-    /// The point on the ground.
-    pub to: Option<[Value; 3]>,
+    /// Its other end.
+    pub to: Option<SpringTo>,
     /// Its stiffness.
     pub stiffness: Option<Spanned<Value>>,
     /// Its damping; `Some(None)` if it is omitted.
@@ -76,181 +67,83 @@ fn known_fields(word: BlockKeyword, space: Dimension) -> &'static [&'static str]
 
 /// All loads and springs.
 pub(super) fn loads<'a>(
-    def: &'a ChainSyntax,
-    items: &[RouteItem],
-    types: &[BodyType],
+    resolved: Resolved<'_, 'a>,
+    seeds: &[Seeds],
     context: &mut Context,
 ) -> (Vec<LoadDraft<'a>>, Vec<SpringDraft<'a>>) {
     let (mut loads, mut springs) = (Vec::new(), Vec::new());
-    for block in &def.blocks {
+    for written in &resolved.written.blocks {
+        let block: &'a BlockSyntax = &written.syntax;
         let word = match block.word {
             BlockKeyword::Load => "load",
             BlockKeyword::Spring => "spring",
             BlockKeyword::Body | BlockKeyword::Hinge => continue,
         };
-        if !block.after_route && def.route.is_some() {
+        if !block.after_route && !resolved.written.routes.is_empty() {
             context.diagnostics.error(block.at, format!("write a {word} after the route"));
         }
-        let Some((name, others)) = block.names.split_first() else { continue };
-        if let Some(other) = others.first() {
-            context.diagnostics.error(
-                other.span(),
-                format!(
-                    "a block describes one {word}: write \
-                a block for each"
-                ),
-            );
-        }
+        let Some(name) = name_of(written, word, resolved, context) else { continue };
         let mut fields = Fields::default();
         let owner = format!("{word} `{name}`{}", context.of_chain());
         for field in &block.fields {
-            fields.add(field, known_fields(block.word, context.space), &owner, context);
+            let known = known_fields(block.word, context.space);
+            fields.add(field, known, &FieldOwner::of_block(&owner), context);
         }
-        let on = fields.get("on").and_then(|field| {
-            context.field(field, |context, syntax| on(syntax, block.word, def, items, context))
-        });
-        let target = LoadTarget { items, types, body: on.map(|on| on.value) };
+        let target = target(written, &fields, resolved, context);
         match block.word {
             BlockKeyword::Load => loads.push(load(block, name, &fields, &target, context)),
-            _ => springs.push(spring(block, name, &fields, &target, context)),
+            _ => springs.push(spring(written, name, &fields, &target, seeds, context)),
         }
     }
     (loads, springs)
 }
 
-/// Reads the body that a load or a spring acts on.
-fn on(
-    syntax: &ValueSyntax,
-    of: BlockKeyword,
-    def: &ChainSyntax,
-    items: &[RouteItem],
+/// Returns the name of a load or of a spring, and reports further names.
+fn name_of(
+    written: &WrittenBlock,
+    word: &str,
+    resolved: Resolved,
     context: &mut Context,
-) -> Option<BodyId> {
-    let bodies = || items.iter().filter(|item| matches!(item, RouteItem::Body { .. }));
-    if let ValueSyntax::PlaceOn(body, extent) = syntax {
-        let message = format!("a point is a separate field: write `on = {body}; at = …;`");
-        return context.refuse(*extent, message);
+) -> Option<ItemName> {
+    let (path, others) = written.syntax.names.split_first()?;
+    if let Some(other) = others.first() {
+        let message = format!("a block describes one {word}: write a block for each");
+        context.diagnostics.error_over(other.extent(), message);
     }
-    if let ValueSyntax::Vector(ListSyntax { entries, .. }) = syntax
-        && let [_, second, ..] = &entries[..]
-    {
-        let message = match of {
-            BlockKeyword::Spring => BETWEEN_BODIES,
-            _ => "a load acts on one body: write a `load` for each",
-        };
-        return context.refuse(second.extent, message);
-    }
-    let Some(word) = syntax.word() else {
-        let found = syntax.described();
-        let message = format!("expected the name of a body on the route, found {found}");
-        return context.refuse(syntax.extent(), message);
-    };
-    if let Some(body) = bodies().position(|item| item.name() == Some(word)) {
-        return Some(BodyId(body));
-    }
-    let is_unknown = |item: &RouteItem| matches!(item, RouteItem::Unknown { name } if name.is_none_or(|name| name == word));
-    if !def.route.as_ref().is_some_and(|route| route.complete)
-        || items.iter().any(is_unknown)
-        || has_duplicates(items, |item| matches!(item, RouteItem::Body { .. }))
-    {
-        return None;
-    }
-    if items
-        .iter()
-        .any(|item| matches!(item, RouteItem::Hinge { name: Some(name), .. } if *name == word))
-    {
-        return context.refuse(
-            word,
-            format!(
-                "`{word}` is a hinge: name the body that the force \
-                                             acts on"
-            ),
+    if path.names.len() > 1 {
+        let message = format!(
+            "the name of a {word} is a single word: write `{word} {}_… {{ … }}`",
+            path.names[0]
         );
+        context.diagnostics.error_over(path.extent(), message);
     }
-    if word == "ground" {
-        return context.refuse(word, "the ground is fixed: name a body on the route");
-    }
-    let hint = context.hint(word, bodies().filter_map(RouteItem::name));
-    let names = bodies().filter_map(RouteItem::name);
-    let message = format!("no body `{word}` on the route{hint}");
-    context.diagnostics.unknown(word, message, names);
-    None
+    Some(resolved.written.scopes[written.scope].item_name(path.end()))
 }
 
-/// The body that a load or a spring acts on.
-struct LoadTarget<'t, 'a> {
-    items: &'t [RouteItem<'a>],
-    types: &'t [BodyType<'a>],
-    body: Option<BodyId>,
-}
-
-impl LoadTarget<'_, '_> {
-    fn body_type(&self) -> Option<&BodyType<'_>> {
-        let mut types = self.items.iter().filter_map(|item| match item {
-            RouteItem::Body { body_type, .. } => Some(*body_type),
-            _ => None,
-        });
-        self.types.get(types.nth(self.body?.index())??)
+/// Reads the body and the point that a load or a spring acts on.
+fn target<'t, 'a>(
+    written: &WrittenBlock,
+    fields: &Fields,
+    resolved: Resolved<'t, 'a>,
+    context: &mut Context,
+) -> LoadTarget<'t, 'a> {
+    let read = |context: &mut Context, syntax: &ValueSyntax| {
+        on(syntax, written.syntax.word, written.scope, resolved, context)
+    };
+    let on = fields.get("on").and_then(|field| context.field(field, read));
+    if let (Some(Spanned { value, .. }), Some(at)) = (&on, fields.get("at"))
+        && value.1.is_some()
+    {
+        let message = "`on` has a point already: remove `at`, or name only the body in `on`";
+        context.diagnostics.error(at.name.span(), message);
     }
-
-    /// Reads the point of application, which is the centre of mass if it is omitted.
-    fn at(&self, field: Option<&FieldSyntax>, context: &mut Context) -> Option<[Value; 3]> {
-        let com = || self.body_type()?.com.as_ref().map(|com| com.value.clone());
-        match field {
-            None => com(),
-            Some(field) => {
-                let at = |context: &mut Context, syntax: &ValueSyntax| match syntax.word() {
-                    Some(word) if word == "com" => Some(com()),
-                    Some(word) => self.point(word, syntax, context),
-                    None => context.read_vector(syntax, LENGTH).map(Some),
-                };
-                context.field(field, at)?.value
-            }
-        }
-    }
-
-    /// Reads a named point; `Some(None)` if it has no position, which is reported.
-    fn point(
-        &self,
-        word: &Ident,
-        syntax: &ValueSyntax,
-        context: &mut Context,
-    ) -> Option<Option<[Value; 3]>> {
-        if word == "input" {
-            return Some(Some(zeros()));
-        }
-        let Some(body_type) = self.body_type() else { return Some(None) };
-        if word == "output" {
-            if body_type.missing(true).contains(&"output") {
-                let message =
-                    format!("body `{}` has no output: give its type an `output`", body_type.name);
-                return context.refuse(word, message);
-            }
-            return Some(body_type.output.as_ref().map(|output| output.value.position.clone()));
-        }
-        if let Some(point) = body_type.points.iter().find(|point| word == point.name) {
-            return Some(point.position.clone());
-        }
-        if context.space == Dimension::Line {
-            return context.read_vector(syntax, LENGTH).map(Some);
-        }
-        // The unknown field is reported already.
-        if body_type.has_unknown_field(word) {
-            return Some(None);
-        }
-        let names = body_type.points.iter().map(|point| point.name.to_string());
-        let every_body_has = POINTS.iter().map(|name| (*name).to_owned());
-        let hint = context.hint(word, names.chain(every_body_has));
-        let message = format!("body `{}` has no point `{word}`{hint}", body_type.name);
-        let points = body_type.points.iter().map(|point| point.name);
-        context.diagnostics.unknown(word, message, points);
-        None
-    }
+    let (body, at) = on.map_or((None, None), |on| (Some(on.value.0), on.value.1));
+    LoadTarget { resolved, body, at }
 }
 
 fn load<'a>(
     block: &'a BlockSyntax,
-    name: &'a Ident,
+    name: ItemName,
     fields: &Fields,
     target: &LoadTarget,
     context: &mut Context,
@@ -279,16 +172,13 @@ fn axes(context: &mut Context, syntax: &ValueSyntax) -> Option<LoadAxes> {
 }
 
 fn spring<'a>(
-    block: &'a BlockSyntax,
-    name: &'a Ident,
+    written: &'a WrittenBlock,
+    name: ItemName,
     fields: &Fields,
     target: &LoadTarget,
+    seeds: &[Seeds],
     context: &mut Context,
 ) -> SpringDraft<'a> {
-    let to = |context: &mut Context, syntax: &ValueSyntax| match not_on_ground(syntax, target) {
-        Some((at, message)) => context.refuse(at, message),
-        None => context.read_vector(syntax, LENGTH),
-    };
     let [stiffness, damping, length] =
         [("stiffness", STIFFNESS), ("damping", DAMPING), ("length", LENGTH)].map(
             |(name, expected)| match fields.get(name) {
@@ -298,32 +188,20 @@ fn spring<'a>(
                 }
             },
         );
+    let at = target.at(fields.get("at"), context);
+    let to = |context: &mut Context, syntax: &ValueSyntax| {
+        spring_to(syntax, written.scope, target, seeds, context)
+    };
     SpringDraft {
-        block,
+        block: &written.syntax,
         name,
         body: target.body,
-        at: target.at(fields.get("at"), context),
+        at,
         to: fields.get("to").and_then(|field| context.field(field, to)).map(|to| to.value),
         stiffness: stiffness.flatten(),
         damping,
         length,
     }
-}
-
-/// Returns the span and the message if the end of a spring is not a point on the ground.
-fn not_on_ground(syntax: &ValueSyntax, target: &LoadTarget) -> Option<(SpanRange, String)> {
-    let word = match syntax {
-        ValueSyntax::PlaceOn(body, _) => body,
-        other => other.word()?,
-    };
-    let at = SpanRange::token(word.span());
-    if word == "ground" {
-        let message = "write the point on the ground: `to = [x, y, z] m`, inertial frame";
-        return Some((at, message.into()));
-    }
-    let is_it =
-        |item: &RouteItem| matches!(item, RouteItem::Body { .. }) && item.name() == Some(word);
-    target.items.iter().any(is_it).then(|| (at, BETWEEN_BODIES.into()))
 }
 
 /// Those of `required` that a block lacks.
@@ -344,11 +222,11 @@ impl LoadDraft<'_> {
     }
 
     /// Returns the load; `None` if a part is missing, which is reported then.
-    pub(super) fn finish(self) -> Option<crate::model::Load> {
+    pub(super) fn finish(self, numbers: &Numbering) -> Option<crate::model::Load> {
         let at = Frame { position: self.at?, ..Frame::identity() };
         Some(crate::model::Load {
-            name: self.name.clone(),
-            body: self.body?,
+            name: self.name.joined,
+            body: numbers.body(self.body?),
             at,
             axes: self.axes?,
             force: self.force?,
@@ -361,7 +239,8 @@ impl SpringDraft<'_> {
     /// The fields that it lacks, in words.
     pub fn missing(&self) -> Vec<String> {
         let on = self.block.fields.iter().find(|field| field.name == "on");
-        let body = on.is_none_or(|on| on.value.as_ref().is_some_and(|on| on.word().is_some()));
+        let is_body = |on: &ValueSyntax| on.word().is_some() || matches!(on, ValueSyntax::Path(_));
+        let body = on.is_none_or(|on| on.value.as_ref().is_some_and(is_body));
         // If `on` is not one body, the second body replaces the point.
         let required = if body { &["on", "to", "stiffness"][..] } else { &["stiffness"] };
         let missing = missing(self.block, required);
@@ -369,14 +248,21 @@ impl SpringDraft<'_> {
     }
 
     /// Returns the spring; `None` if a part is missing, which is reported then.
-    pub(super) fn finish(self) -> Option<crate::model::Spring> {
+    pub(super) fn finish(self, numbers: &Numbering) -> Option<crate::model::Spring> {
         let number =
             |field: Option<Spanned<Value>>| field.map_or(Value::number(0.0), |field| field.value);
         Some(crate::model::Spring {
-            name: self.name.clone(),
-            path: self.name.to_string(),
-            on: BodyPoint { body: self.body?, at: self.at? },
-            to: SpringEnd::Ground(self.to?),
+            on: BodyPoint { body: numbers.body(self.body?), at: self.at? },
+            to: match self.to? {
+                SpringTo::Ground(point) => SpringEnd::Ground(point),
+                SpringTo::Body(end) => SpringEnd::Body(end.finish(numbers)),
+                SpringTo::Previous { point, first } => SpringEnd::Previous {
+                    point: point.finish(numbers),
+                    first: first.finish(numbers),
+                },
+            },
+            name: self.name.joined,
+            path: self.name.path,
             stiffness: self.stiffness?.value,
             damping: number(self.damping?),
             length: number(self.length?),

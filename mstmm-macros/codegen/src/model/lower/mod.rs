@@ -8,19 +8,26 @@ mod body;
 mod context;
 mod dimension;
 mod draft;
+mod element;
 mod fields;
 mod hinge;
 mod inertia;
 mod load;
+mod load_ends;
+mod names;
 mod number;
 mod numbering;
 mod orientation;
 mod parameter;
+mod parts;
+mod place;
 mod properties;
 mod quantity;
 mod references;
 mod route;
+mod route_item;
 mod setting;
+mod start;
 mod unit;
 mod vector;
 
@@ -30,19 +37,23 @@ pub(super) use draft::Draft;
 pub(super) use fields::Fields;
 pub(crate) use fields::listed;
 pub(super) use hinge::{FieldNames, KINDS, groups};
-pub(super) use load::POINTS;
-pub(super) use properties::ItemProperties;
-pub(super) use route::RouteItem;
+pub(super) use parts::{ItemName, WrittenOut, WrittenRepeat, WrittenRoute, write_out};
+pub(super) use place::{POINTS, PlacePoint, places_of};
+pub(super) use route_item::RouteItem;
+pub(super) use start::RouteStart;
 
 use crate::diag::Diagnostics;
 use crate::model::Dimension;
 use crate::syntax::{ChainSyntax, DimensionKeyword, Passthrough};
 use context::Context;
+use names::NameTable;
+use place::Resolved;
 
 /// Lowers a description as far as it is readable and reports errors. Returns `None` for a chain of
 /// unknown dimension.
 pub(super) fn draft<'a>(
     def: &'a ChainSyntax,
+    written: &'a WrittenOut<'a>,
     diagnostics: &mut Diagnostics,
 ) -> Option<(Draft<'a>, Passthrough)> {
     let space = match def.dimension? {
@@ -50,19 +61,24 @@ pub(super) fn draft<'a>(
         DimensionKeyword::Plane => Dimension::Plane,
         DimensionKeyword::Line => Dimension::Line,
     };
-    let mut context = Context::new(space, def.complete, diagnostics);
+    let mut context = Context::new(space, written.complete, diagnostics);
     let parameters = parameter::parameters(def, &mut context);
     let settings = setting::settings(def, &mut context);
-    let types = body::types(def, &mut context);
-    let items = route::items(def, &types, &mut context);
-    let properties = properties::properties(def, &items, &mut context);
-    let (loads, springs) = load::loads(def, &items, &types, &mut context);
+    let types = body::types(written, &mut context);
+    let items = route::items(written, &types, &mut context);
+    let names = NameTable::new(written, &items);
+    let resolved = Resolved { written, items: &items, types: &types, names: &names };
+    let seeds = start::seeds(resolved, &mut context);
+    let starts = start::starts(resolved, &seeds, &mut context);
+    let properties = properties::properties(resolved, &mut context);
+    let (loads, springs) = load::loads(resolved, &seeds, &mut context);
+    let references = references::references(resolved);
     let requirements = std::mem::take(&mut context.requirements);
     let passthrough = Passthrough {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
-        references: references::references(def, &items),
+        references,
     };
     let constants = passthrough.constants.len();
     let draft = Draft {
@@ -72,8 +88,11 @@ pub(super) fn draft<'a>(
         settings,
         parameters,
         constants,
+        written,
         types,
         items,
+        names,
+        starts,
         properties,
         loads,
         springs,

@@ -113,6 +113,12 @@ impl Context<'_> {
                 let (value, measure) = self.name(name)?;
                 Some(Measured::new(value, measure, expr))
             }
+            ExprKind::Argument(_, argument) => {
+                let measured = self.measure(argument)?;
+                // The error is where the parameter is used.
+                Some(Measured { at: expr.extent, unit: None, ..measured })
+            }
+            ExprKind::Lost => None,
             ExprKind::Path(path) => {
                 let first = path.clone().into_iter().next();
                 if first.is_some_and(|token| token.to_string() == "T") {

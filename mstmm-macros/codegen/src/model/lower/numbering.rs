@@ -1,19 +1,20 @@
-//! The ids of the bodies and hinges of the route.
+//! The ids of the bodies and hinges of all routes.
 
 use std::ops::Range;
 
+use super::parts::WrittenOut;
 use super::properties;
-use super::route::RouteItem;
+use super::route_item::RouteItem;
 use crate::ids::IdRange;
 use crate::model::{BodyId, HingeId};
 
-/// The numbers of bodies, moving ends and hinges before each item, and before the end of the route.
+/// The numbers of bodies, moving ends and hinges before each item, and before the end of all routes.
 pub(super) struct Numbering {
     before: Vec<Counts>,
     /// Whether each item is a moving end.
     moving: Vec<bool>,
-    /// How many bodies are on the route.
-    on_route: usize,
+    /// How many bodies are on routes.
+    on_routes: usize,
     /// How many hinges are implied.
     implied: usize,
 }
@@ -26,9 +27,9 @@ struct Counts {
 }
 
 impl Numbering {
-    /// Bodies in the order of the route, then those of the moving ends; implied hinges, then those
-    /// of the route.
-    pub fn of(items: &[RouteItem]) -> Self {
+    /// Bodies in the order of the routes, then those of the moving ends; implied hinges, then those
+    /// of the routes.
+    pub fn of(written: &WrittenOut, items: &[RouteItem]) -> Self {
         let mut counts = Counts::default();
         let mut before = vec![counts];
         for item in items {
@@ -43,14 +44,20 @@ impl Numbering {
             before.push(counts);
         }
         let moving = items.iter().map(|item| matches!(item, RouteItem::Moving { .. })).collect();
-        let implied = if properties::floats(items) { 1 } else { counts.ends };
-        Numbering { before, moving, on_route: counts.bodies, implied }
+        let floats = properties::floats(written, items);
+        let implied = counts.ends + usize::from(floats);
+        Numbering { before, moving, on_routes: counts.bodies, implied }
     }
 
-    /// The body of a stop that is a body or a moving end.
+    /// The body of an item that is a body or a moving end.
     pub fn body(&self, item: usize) -> BodyId {
         let Counts { bodies, ends, .. } = self.before[item];
-        BodyId(if self.moving[item] { self.on_route + ends } else { bodies })
+        BodyId(if self.moving[item] { self.on_routes + ends } else { bodies })
+    }
+
+    /// The hinge of an item that is a hinge.
+    pub fn hinge(&self, item: usize) -> HingeId {
+        HingeId(self.implied + self.before[item].hinges)
     }
 
     /// The bodies among these items.
@@ -64,7 +71,7 @@ impl Numbering {
         (hinge(items.start)..hinge(items.end)).into()
     }
 
-    /// The elements among these items, as the route counts them.
+    /// The elements among these items, as the routes count them.
     pub fn elements(&self, items: Range<usize>) -> Range<usize> {
         let element = |item: usize| self.before[item].bodies + self.before[item].hinges;
         element(items.start)..element(items.end)

@@ -1,14 +1,14 @@
 //! Properties of hinges and bodies from the blocks after the route.
 
-use proc_macro2::Ident;
-
 use super::body;
 use super::context::Context;
-use super::fields::Fields;
+use super::fields::{FieldOwner, Fields};
 use super::hinge::{self, HingeProperties, motion, of_everything};
-use super::route::RouteItem;
-use crate::syntax::{BlockKeyword, BlockSyntax, ChainSyntax, RouteSyntax};
-use std::collections::HashMap;
+use super::parts::{WrittenBlock, WrittenOut};
+use super::place::Resolved;
+use super::route_item::RouteItem;
+use crate::diag::did_you_mean;
+use crate::syntax::{BlockKeyword, BlockSyntax, PathSyntax};
 
 /// The properties of a route item.
 #[derive(Clone, Default)]
@@ -21,23 +21,27 @@ pub(crate) struct ItemProperties<'a> {
 
 /// Reads the properties of each item.
 pub(super) fn properties<'a>(
-    def: &'a ChainSyntax,
-    items: &[RouteItem],
+    resolved: Resolved<'_, 'a>,
     context: &mut Context,
 ) -> Vec<ItemProperties<'a>> {
+    let Resolved { written, items, .. } = resolved;
     let mut fields = vec![Fields::default(); items.len()];
-    let indices = indices(items);
-    for block in def.blocks.iter().filter(|block| !body::is_type(block)) {
+    let mut blocks: Vec<&'a WrittenBlock> =
+        written.blocks.iter().filter(|block| !body::is_type(&block.syntax)).collect();
+    // Blocks in a part come first, so that the error is outside if a field is given twice.
+    blocks.sort_by_key(|block| std::cmp::Reverse(written.scopes[block.scope].depth()));
+    for written_block in blocks {
+        let block = &*written_block.syntax;
         refuse_points(block, context);
         if !matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
             continue;
         }
-        if !block.after_route && def.route.is_some() {
+        if !block.after_route && !written.routes.is_empty() {
             context.diagnostics.error(block.at, "write the block of a hinge after the route");
         }
-        assign(block, def, items, &indices, &mut fields, context);
+        assign(written_block, resolved, &mut fields, context);
     }
-    let floats = floats(items);
+    let floats = floats(written, items);
     let read = |(index, (item, fields)): (usize, (&RouteItem, Fields<'a>))| {
         let spec = match item {
             RouteItem::Hinge { spec, .. } => Some(*spec),
@@ -60,40 +64,33 @@ fn refuse_points(block: &BlockSyntax, context: &mut Context) {
     }
 }
 
-/// Returns the index of the first item with each name.
-fn indices(items: &[RouteItem]) -> HashMap<String, usize> {
-    let is_end = |item: &RouteItem| matches!(item, RouteItem::Moving { .. });
-    let mut names: Vec<_> = items.iter().enumerate().rev().collect();
-    // Of two items with one name, which is an error, the one that can have a block.
-    names.sort_by_key(|(_, item)| !is_end(item));
-    let named = |(index, item): (usize, &RouteItem)| Some((item.name()?.to_string(), index));
-    names.into_iter().filter_map(named).collect()
-}
-
-/// Returns whether the chain has a floating base.
-pub(super) fn floats(items: &[RouteItem]) -> bool {
-    matches!(items, [RouteItem::Body { .. }, .., RouteItem::Body { .. }] | [RouteItem::Body { .. }])
+/// Returns whether the chain has a floating base: its first route begins and ends with a body.
+pub(super) fn floats(written: &WrittenOut, items: &[RouteItem]) -> bool {
+    let Some(route) = written.routes.first().filter(|route| route.syntax.start.is_none()) else {
+        return false;
+    };
+    let is_body = |index: Option<&usize>| index.is_some_and(|&index| items[index].is_body());
+    is_body(route.items.first()) && is_body(route.items.last())
 }
 
 /// Assigns the fields of a block to the items that it names.
 fn assign<'a>(
-    block: &'a BlockSyntax,
-    def: &ChainSyntax,
-    items: &[RouteItem],
-    indices: &HashMap<String, usize>,
+    written_block: &'a WrittenBlock,
+    resolved: Resolved<'_, 'a>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
 ) {
+    let block = &*written_block.syntax;
+    let part = resolved.written.scopes[written_block.scope].part.map(|part| &part.name);
     // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
-    for name in &block.names {
-        let found = indices.get(&name.to_string()).copied();
-        let Some(index) = target(block, name, found, def, items, context) else { continue };
-        let (allowed, owner) = match &items[index] {
+    for path in &block.names {
+        let Some(index) = target(written_block, path, resolved, context) else { continue };
+        let (known, owner) = match &resolved.items[index] {
             RouteItem::Hinge { kind, spec, .. } => (hinge::fields(spec), kind.name.to_owned()),
             RouteItem::Body { .. } => {
                 let implied = of_everything(context.space).spec();
-                (hinge::start_fields(implied), format!("body `{name}`"))
+                (hinge::start_fields(implied), format!("body `{path}`"))
             }
             _ => continue,
         };
@@ -102,106 +99,112 @@ fn assign<'a>(
             fields.refuse();
         }
         for (at, field) in block.fields.iter().enumerate() {
+            let owner = FieldOwner { name: &owner, path: Some(path), part };
             if refused.contains(&at) {
                 fields.refuse();
-            } else if fields.add(field, &allowed, &owner, context).is_none() {
+            } else if fields.add(field, &known, &owner, context).is_none() {
                 refused.push(at);
             }
         }
     }
 }
 
-/// Returns the item of a name in a block; `None` if no item of this name can have a block.
+/// Returns the item of a path in a block; `None` if no item of this path can have a block.
 fn target(
-    block: &BlockSyntax,
-    name: &Ident,
-    found: Option<usize>,
-    def: &ChainSyntax,
-    items: &[RouteItem],
+    written_block: &WrittenBlock,
+    path: &PathSyntax,
+    resolved: Resolved,
     context: &mut Context,
 ) -> Option<usize> {
-    let Some(index) = found else {
-        unknown_name(block, name, def, items, context);
+    let Resolved { written, items, names, .. } = resolved;
+    let block = &*written_block.syntax;
+    let Some(index) = names.item(written, written_block.scope, &path.names) else {
+        unknown_name(written_block, path, resolved, context);
         return None;
     };
+    let at = path.extent();
     match (block.word, &items[index]) {
         (BlockKeyword::Body, RouteItem::Hinge { .. }) => {
-            context.refuse(name, format!("`{name}` is a hinge: write `hinge {name} {{ … }}`"))
+            context.refuse(at, format!("`{path}` is a hinge: write `hinge {path} {{ … }}`"))
         }
         (_, RouteItem::Moving { .. }) => {
             let message =
-                format!("`{name}` is a moving end and has no properties: its motion is an input");
-            context.refuse(name, message)
+                format!("`{path}` is a moving end and has no properties: its motion is an input");
+            context.refuse(at, message)
         }
         // It may be a hinge whose kind is not known.
         (BlockKeyword::Hinge, RouteItem::Body { body_type: None, .. }) => None,
         (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
-            context.refuse(name, format!("`{name}` is a body: write `body {name} {{ … }}`"))
+            context.refuse(at, format!("`{path}` is a body: write `body {path} {{ … }}`"))
         }
-        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(items) => {
+        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(written, items) => {
             // If the route has an error, this rule may be wrong.
-            if !def.route.as_ref().is_some_and(|route| route.complete) {
+            if !written.routes_are_complete {
                 return None;
             }
             let message =
-                format!("`{name}` has no start: only the first body of a floating chain has one");
-            context.refuse(name, message)
+                format!("`{path}` has no start: only the first body of a floating chain has one");
+            context.refuse(at, message)
+        }
+        (BlockKeyword::Body, RouteItem::Body { name, .. }) if written_block.scope > 0 => {
+            let message = format!(
+                "write the start of a floating body outside of parts: `body {name} {{ … }}`"
+            );
+            context.refuse(at, message)
         }
         _ => Some(index),
     }
 }
 
-/// Returns whether one of these items has the name of another item. It may be meant to have a
-/// different name.
-pub(super) fn has_duplicates(items: &[RouteItem], these: impl Fn(&RouteItem) -> bool) -> bool {
-    let mut names = HashMap::new();
-    items.iter().filter_map(|item| Some((item, item.name()?))).any(|(item, name)| {
-        let is_of_these = these(item);
-        let before = names.insert(name.to_string(), is_of_these);
-        before.is_some_and(|before| before || is_of_these)
-    })
-}
-
 fn unknown_name(
-    block: &BlockSyntax,
-    name: &Ident,
-    def: &ChainSyntax,
-    items: &[RouteItem],
+    written_block: &WrittenBlock,
+    path: &PathSyntax,
+    resolved: Resolved,
     context: &mut Context,
 ) {
+    let Resolved { written, items, .. } = resolved;
+    let (block, scope, name) = (&*written_block.syntax, written_block.scope, path.end());
     if block.word == BlockKeyword::Body && body::describes_type(block) {
         let message = "write the block of a body type before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let Some(RouteSyntax { complete: true, .. }) = def.route else { return };
+    if !written.routes_are_complete || written.routes.is_empty() {
+        return;
+    }
     // It may be the missing name of a hinge.
     let nameless = |item: &RouteItem| {
         matches!(item, RouteItem::Hinge { name: None, .. } | RouteItem::Unknown { name: None, .. })
     };
-    if items.iter().any(nameless)
-        || has_duplicates(items, |item| !matches!(item, RouteItem::Body { .. }))
-    {
+    if items.iter().any(nameless) || resolved.names.duplicates().other {
         return;
     }
     let is_body = |item: &RouteItem| matches!(item, RouteItem::Body { word, .. } if *word == name);
-    let has_type =
-        def.blocks.iter().any(|other| body::is_type(other) && other.names.contains(name));
+    let has_type = resolved.types.find(scope, name).is_some();
     if block.word == BlockKeyword::Body && !has_type && items.iter().any(is_body) {
         let message = "write the block of a body type before the route";
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let (word, items): (_, Vec<&RouteItem>) = match block.word {
-        BlockKeyword::Body => {
-            ("body", items.iter().filter(|item| matches!(item, RouteItem::Body { .. })).collect())
-        }
-        _ => {
-            ("hinge", items.iter().filter(|item| !matches!(item, RouteItem::Body { .. })).collect())
-        }
+    let wants_body = block.word == BlockKeyword::Body;
+    let word = if wants_body { "body" } else { "hinge" };
+    if resolved.names.instance(written, scope, &path.names).is_some() {
+        let message = format!("`{path}` is a part: name a {word} in it, as in `{path}.name`");
+        return context.diagnostics.error_over(path.extent(), message);
+    }
+    let prefix = written.scopes[scope].prefix();
+    let names = items.iter().filter(|item| item.is_body() == wants_body);
+    let hint = if context.diagnostics.is_full() {
+        String::new()
+    } else {
+        let paths = names.filter_map(|item| item.name()?.path.strip_prefix(prefix));
+        did_you_mean(&path.to_string(), paths)
     };
-    let hint = context.hint(name, items.iter().filter_map(|item| item.name()));
-    let message = format!("no {word} `{name}` on the route{hint}");
-    let names = items.iter().filter_map(|item| item.name());
+    let message = format!("no {word} `{path}` on a route{hint}");
+    if path.names.len() > 1 {
+        return context.diagnostics.error_over(path.extent(), message);
+    }
+    let names = items.iter().filter(|item| item.is_body() == wants_body);
+    let names = names.filter_map(|item| Some(&item.name()?.joined));
     context.diagnostics.unknown(name, message, names);
 }

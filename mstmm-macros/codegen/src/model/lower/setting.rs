@@ -1,8 +1,8 @@
 //! Settings of the whole chain: `gravity = …;`, `method = …;`, `results = …;` and `answers = …;`.
 
-use super::context::Context;
+use super::context::{Context, Spanned};
 use super::dimension::ACCELERATION;
-use super::fields::Fields;
+use super::fields::{FieldOwner, Fields};
 use crate::diag::{did_you_mean, nearest};
 use crate::model::{Answer, Results, SolutionMethod, Source};
 use crate::syntax::{ChainSyntax, ExprKind, ExprSyntax, ListSyntax, SETTINGS, ValueSyntax};
@@ -24,7 +24,7 @@ pub(crate) struct Settings {
     /// Acceleration of free fall.
     pub gravity: Option<Source>,
     /// The method that solves for the accelerations.
-    pub method: Option<SolutionMethod>,
+    pub method: Option<Spanned<SolutionMethod>>,
     /// The results of the solution: everything unless `results` selects some.
     pub results: Results,
     /// Further answers.
@@ -47,7 +47,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
             context.complete = false;
             continue;
         }
-        fields.add(field, SETTINGS, &owner, context);
+        fields.add(field, SETTINGS, &FieldOwner::of_block(&owner), context);
     }
     let gravity = context
         .source(fields.get("gravity"), |context, syntax| context.read_vector(syntax, ACCELERATION));
@@ -56,7 +56,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
     let answers = fields.get("answers").and_then(|field| context.field(field, answers));
     Settings {
         gravity,
-        method: method.map(|setting| setting.value),
+        method,
         results: results.map_or(Results::ALL, |setting| setting.value),
         answers: answers.map_or_else(Vec::new, |setting| setting.value),
     }

@@ -114,12 +114,12 @@ fn chains_have_types_of_their_own() {
 
 #[test]
 fn methods_have_names_of_their_own() {
-    let both = "`set_each_j` and `j` both have a method `set_each_j`";
+    let both = "`set_each_j` and `j` both make the method `set_each_j`: rename one";
     expect_rods(
         "ground -> repeat 3 { pin j -> Rod rod } -> pin set_each_j -> Rod b;",
         &[("set_each_j", both)],
     );
-    let both = "`j` and `set_each_j` both have a method `set_each_j`";
+    let both = "`j` and `set_each_j` both make the method `set_each_j`: rename one";
     expect_rods(
         "ground -> pin set_each_j -> Rod b -> repeat 3 { pin j -> Rod rod };",
         &[("j", both)],
@@ -133,6 +133,6 @@ fn many_errors_are_counted() {
     let blocks: String = (0..1000).map(|k| format!(" hinge k{k} {{ start = 1; }}")).collect();
     let found = errors_in(&format!("chain A {{ {ROD} ground {bodies}; {blocks} }}"));
     assert_eq!(found.len(), 101);
-    assert_eq!(found[99].1, "no hinge `k99` on the route; did you mean `h99`?");
+    assert_eq!(found[99].1, "no hinge `k99` on a route; did you mean `h99`?");
     assert_eq!(found[100].1, "… and 900 more errors");
 }

@@ -156,7 +156,7 @@ fn loads_act_at_points_of_bodies() {
     let at = |at: &str| format!("load push {{ on = rod; force = input; at = {at}; }}");
     expect_load(
         "load push { on = rd; force = input; }",
-        &[("rd", "no body `rd` on the route; did you mean `rod`?")],
+        &[("rd", "no body `rd` on a route; did you mean `rod`?")],
     );
     expect_load(
         "load push { on = wrist; force = input; }",
@@ -164,7 +164,7 @@ fn loads_act_at_points_of_bodies() {
     );
     expect_load(
         "load push { on = 3; force = input; }",
-        &[("3", "expected the name of a body on the route, found a number")],
+        &[("3", "expected the name of a body on a route, found a number")],
     );
     expect_load(
         &at("inptu"),
@@ -264,7 +264,7 @@ fn repeats_are_well_formed() {
     );
     expect_all(
         &route(&good.replace("ball a -> Cube b", "ball a Cube b")),
-        &[("Cube", "expected `->` or `}`, found `Cube`")],
+        &[("Cube", "expected `->`, `;` or `}`, found `Cube`")],
     );
     // The last body is followed by its own hinge.
     expect_all(

@@ -36,7 +36,7 @@ fn a_missing_semicolon_costs_no_field() {
 
 #[test]
 fn vectors_have_three_components() {
-    let point = "expected a vector …, found a point of `rod`";
+    let point = "expected a vector …, found `rod.tip`";
     expect("output = [1, 0, 0] m", "output = rod.tip", &[("rod.tip", point)]);
     expect(
         "output = [1, 0, 0] m",
@@ -144,7 +144,7 @@ fn properties_fit_their_owner() {
     expect(
         "hinge wrist {",
         "hinge wrst {",
-        &[("wrst", "no hinge `wrst` on the route; did you mean `wrist`?")],
+        &[("wrst", "no hinge `wrst` on a route; did you mean `wrist`?")],
     );
     expect(
         "hinge wrist {",

@@ -142,7 +142,7 @@ fn a_route_that_cannot_be_read_is_not_judged() {
     );
     expect("Rod rod;", "Rod rod", &[("rod", "expected `;` after this")]);
     expect("Rod rod;", "Rod", &[("Rod", "expected `;` after this")]);
-    expect("upper -> ball", "upper; ball", &[("ball", "… `->` instead of the `;` before this")]);
+    expect("upper -> ball", "upper; ball", &[("ball", "… `->` instead of the `;` before it")]);
     expect("Rod rod;", "Rod rod ->;", &[(";", "expected a hinge, a body or `ground`, found `;`")]);
 }
 

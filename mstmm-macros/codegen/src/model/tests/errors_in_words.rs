@@ -18,7 +18,7 @@ fn names_are_used_once() {
     expect(
         "Rod rod",
         "Rod upper_mut",
-        &[("upper_mut", "`upper_mut` and `upper` both have a method `upper_mut`")],
+        &[("upper_mut", "`upper_mut` and `upper` both make the method `upper_mut`: rename one")],
     );
     expect("body Rod {", "body Cube {", &[("Cube", "body type `Cube` is described twice")]);
 }
@@ -78,7 +78,7 @@ fn all_errors_of_all_phases_are_reported() {
             ("diag(1, 1, 3)", "no real body has this inertia: …"),
             ("b", "the name `b` is used twice"),
             ("m", "expected an angle, found a length"),
-            ("l", "no hinge `l` on the route"),
+            ("l", "no hinge `l` on a route"),
         ],
     );
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 const GRAMMAR: &str = include_str!("../../syntax/grammar.md");
 
 /// Keywords that the compiler compares with directly, outside its tables and outside the parser.
-const DIRECT: &[&str] = &["PI", "input"];
+const DIRECT: &[&str] = &["PI", "input", "last"];
 
 #[test]
 fn the_reference_has_the_grammar_of_the_parser() {

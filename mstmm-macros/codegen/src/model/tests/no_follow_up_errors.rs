@@ -95,7 +95,7 @@ fn a_name_that_is_used_twice_may_be_the_unknown_one() {
     // A name of a body is another matter.
     expect_rods(
         "ground -> pin a -> Rod x -> pin a -> Rod y; load l { on = z; force = input; }",
-        &[twice[0], ("z", "no body `z` on the route")],
+        &[twice[0], ("z", "no body `z` on a route")],
     );
     expect_rods(
         "ground -> pin a -> rod Rod; load l { on = rod; force = input; }",
@@ -188,7 +188,7 @@ fn a_refused_name_may_be_the_unknown_one() {
     // A name of another kind is another matter.
     expect_rods(
         "ground -> pin j -> Rod points; hinge k { start = 1; }",
-        &[refused("points"), ("k", "no hinge `k` on the route")],
+        &[refused("points"), ("k", "no hinge `k` on a route")],
     );
 }
 

@@ -1,0 +1,128 @@
+//! The definitions of parts, independent of their uses.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::diag::Diagnostics;
+use crate::model::lower::hinge::KINDS;
+use crate::syntax::{
+    ChainSyntax, ContentSyntax, PartSyntax, RouteItemSyntax, RouteSyntax, StepSyntax,
+};
+
+/// Returns the parts by name, without those that cannot be set, and reports errors in them.
+pub(super) fn parts<'a>(
+    def: &'a ChainSyntax,
+    diagnostics: &mut Diagnostics,
+) -> HashMap<String, &'a PartSyntax> {
+    let mut parts: HashMap<String, &PartSyntax> = HashMap::new();
+    for part in &def.parts {
+        let name = part.name.to_string();
+        if KINDS.iter().any(|kind| kind.word == name) {
+            continue;
+        }
+        if parts.contains_key(&name) {
+            diagnostics.name(&part.name, format!("two parts have the name `{name}`"));
+            continue;
+        }
+        if part.after_route {
+            diagnostics.error(part.name.span(), "write a `part` before the first route");
+        }
+        check_parameters(part, def, diagnostics);
+        check_routes(part, diagnostics);
+        parts.insert(name, part);
+    }
+    let used = used_parts(def, &parts);
+    for part in &def.parts {
+        let name = part.name.to_string();
+        if parts.contains_key(&name) && !used.contains(&name) && def.content.complete {
+            let message = format!("part `{name}` is never set on a route");
+            diagnostics.error(part.name.span(), message);
+        }
+    }
+    parts
+}
+
+/// Reports parameters that are named twice, or as a parameter of the chain.
+fn check_parameters(part: &PartSyntax, def: &ChainSyntax, diagnostics: &mut Diagnostics) {
+    for (index, parameter) in part.parameters.iter().enumerate() {
+        let name = &part.name;
+        if part.parameters[..index].contains(parameter) {
+            let message = format!("part `{name}` has two parameters `{parameter}`");
+            diagnostics.error(parameter.span(), message);
+        } else if def.parameters.iter().any(|other| other.field.name == *parameter) {
+            let message = format!(
+                "the parameter `{parameter}` of part `{name}` hides the `param` of the chain: \
+                 rename one"
+            );
+            diagnostics.error(parameter.span(), message);
+        }
+    }
+}
+
+/// Reports a part without a route, and what only routes of a chain have.
+fn check_routes(part: &PartSyntax, diagnostics: &mut Diagnostics) {
+    let name = &part.name;
+    let Some(first) = part.content.routes.first() else {
+        if part.content.complete {
+            let message = format!(
+                "part `{name}` has no route: write its hinges and bodies, as in \
+                 `pin(z) knee -> Shank shank;`"
+            );
+            diagnostics.error(name.span(), message);
+        }
+        return;
+    };
+    if let Some(start) = &first.start {
+        let message = format!(
+            "the first route of a part begins with a hinge or a body, not at a place: remove \
+             `{start} ->`"
+        );
+        diagnostics.error_over(start.extent(), message);
+    }
+    for item in part.content.routes.iter().flat_map(RouteSyntax::items) {
+        let (at, word, example) = match item {
+            RouteItemSyntax::Ground { at, .. } => (at, "ground", "ground"),
+            RouteItemSyntax::Moving { at, .. } => (at, "moving", "moving hand"),
+            _ => continue,
+        };
+        let message = format!("`{word}` is written outside of parts: `{example} -> {name} name`");
+        diagnostics.error(*at, message);
+    }
+}
+
+/// Returns the names of all parts that are set by the chain or by another part.
+fn used_parts(def: &ChainSyntax, parts: &HashMap<String, &PartSyntax>) -> HashSet<String> {
+    let of_parts = parts.iter().flat_map(|(name, part)| {
+        let names = set_parts(&part.content);
+        names.into_iter().filter(move |other| other != name)
+    });
+    of_parts.chain(set_parts(&def.content)).collect()
+}
+
+/// Returns the words of all items that may be parts.
+fn set_parts(content: &ContentSyntax) -> Vec<String> {
+    let items = content.routes.iter().flat_map(RouteSyntax::items);
+    let words = items.filter_map(|item| match item {
+        RouteItemSyntax::Element { word, .. } => Some(word.to_string()),
+        _ => None,
+    });
+    words.collect()
+}
+
+/// Returns whether a part has a repeated part, itself or through a part in it.
+pub(super) fn has_repeat(part: &PartSyntax, parts: &HashMap<String, &PartSyntax>) -> bool {
+    let mut seen: HashSet<String> = HashSet::new();
+    let mut open = vec![part];
+    while let Some(part) = open.pop() {
+        let routes = &part.content.routes;
+        if routes
+            .iter()
+            .flat_map(|route| &route.steps)
+            .any(|step| matches!(step, StepSyntax::Repeat(_)))
+        {
+            return true;
+        }
+        let inner = set_parts(&part.content).into_iter().filter(|name| seen.insert(name.clone()));
+        open.extend(inner.filter_map(|name| parts.get(&name).copied()));
+    }
+    false
+}

@@ -1,0 +1,51 @@
+//! Paths: names joined by points.
+
+use proc_macro2::Ident;
+use syn::Result;
+
+use super::cursor::Cursor;
+use super::tree::PathSyntax;
+
+/// Reads a path of at least two names. A path of at least three that begins with `last` is of the
+/// previous repetition.
+pub(super) fn path_of_several(input: &mut Cursor) -> Option<PathSyntax> {
+    let mut ahead = *input;
+    let mut path = path(&mut ahead)?;
+    if path.names.len() < 2 {
+        return None;
+    }
+    *input = ahead;
+    if path.names.len() > 2 && path.names[0] == "last" {
+        path.last = Some(path.names.remove(0).span());
+    }
+    Some(path)
+}
+
+/// Reads a path: names joined by points.
+pub(super) fn path(input: &mut Cursor) -> Option<PathSyntax> {
+    let mut names = vec![input.ident()?];
+    loop {
+        let mut ahead = *input;
+        let next = ahead.punct('.').and_then(|_| ahead.ident());
+        let Some(next) = next else { return Some(PathSyntax { last: None, names }) };
+        names.push(next);
+        *input = ahead;
+    }
+}
+
+/// Reads the paths in the head of a block, up to its brace.
+pub(super) fn paths(input: &mut Cursor) -> Result<Vec<PathSyntax>> {
+    let mut paths = Vec::new();
+    loop {
+        paths.push(path(input).ok_or_else(|| input.unexpected("a name"))?);
+        if input.punct(',').is_none() {
+            return Ok(paths);
+        }
+    }
+}
+
+/// Returns whether a path is next: a name and a point.
+pub(super) fn begins_with_path(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    ahead.ident().is_some_and(|_: Ident| ahead.peek_punct('.'))
+}
