@@ -151,7 +151,8 @@ pub fn twins(dimension: usize, method: &str) -> Twins {
         _ => ["slider"; 3],
     };
     let text = |part: &dyn Fn(&str, usize) -> String, parameters: &str| {
-        let first = part(&format!("{ball} a% -> Rod b% -> {pin} c% -> Rod d%"), 3);
+        let first =
+            part(&format!("{ball} a% -> Rod b% -> weld w% -> Rod m% -> {pin} c% -> Rod d%"), 3);
         let second = part(&format!("{pin} e% -> Rod f%"), 2);
         format!(
             "{word}chain Cords {{ answers = bias_efforts; method = {method}; {parameters} {bodies}
@@ -171,7 +172,8 @@ pub fn twins(dimension: usize, method: &str) -> Twins {
         cord("cord", ("d", p), previous("d", "base")),
         cord("to_first", ("d", p), To::Body(("base", q))),
         cord("to_last", ("b", r), To::Body(("weight", p))),
-        cord("within", ("b", p), To::Body(("d", r))),
+        cord("within", ("m", p), To::Body(("d", r))),
+        cord("inside", ("m", p), To::Body(("b", r))),
         cord("grounded", ("b", q), To::Ground(r)),
         cord("lower", ("b", p), previous("d", "weight")),
         cord("from_outside", ("weight", p), To::Body(("d", r))),
@@ -182,18 +184,18 @@ pub fn twins(dimension: usize, method: &str) -> Twins {
     ];
     let name = |body: &'static str, repetition: usize| -> &'static str {
         let text = match body {
-            "a" | "b" | "c" | "d" | "e" | "f" => format!("{body}_{repetition}"),
+            "b" | "d" | "f" | "m" => format!("{body}_{repetition}"),
             other => other.to_owned(),
         };
         Box::leak(text.into_boxed_str())
     };
     let written = repeated.iter().flat_map(|Cord { name: cord_name, on, to }| {
         let count = match on.0 {
-            "b" | "d" => 3,
+            "b" | "d" | "m" => 3,
             "f" => 2,
             _ => 1,
         };
-        let is_in = |body: &str| ["b", "d"].contains(&body) == ["b", "d"].contains(&on.0);
+        let is_in = |body: &str| ["b", "d", "m"].contains(&body) == ["b", "d", "m"].contains(&on.0);
         let outside = move |(body, at): End, k: usize| {
             let last = if body == "f" { 1 } else { 2 };
             let same = is_in(body) && (on.0 == "f") == (body == "f") && count > 1;
