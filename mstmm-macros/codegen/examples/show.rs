@@ -30,11 +30,11 @@ pub fn show(file: &str, function: Option<&str>) -> Result<String, String> {
 fn inside_macro(tokens: TokenStream) -> TokenStream {
     let mut rest = tokens.clone().into_iter();
     match [rest.next(), rest.next(), rest.next()] {
-        [Some(TokenTree::Ident(name)), Some(TokenTree::Punct(_)), Some(TokenTree::Group(group))]
-            if name == "mstmm_chain" =>
-        {
-            group.stream()
-        }
+        [
+            Some(TokenTree::Ident(name)),
+            Some(TokenTree::Punct(_)),
+            Some(TokenTree::Group(group)),
+        ] if name == "mstmm_chain" => group.stream(),
         _ => tokens,
     }
 }

@@ -138,7 +138,7 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let mut results = Vec::new();
         for &link in path {
             let (own, result) = step(link, carried);
-            carried = self.cross(link, SweepDirection::Outward, own);
+            carried = self.cross_route(link, SweepDirection::Outward, own);
             results.push((link, result));
         }
         (carried, results)
@@ -156,12 +156,21 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         let mut results = Vec::new();
         for (link, left) in path.iter().rev() {
             let (own, result) =
-                step(*link, left, self.cross(*link, SweepDirection::Inward, carried));
+                step(*link, left, self.cross_route(*link, SweepDirection::Inward, carried));
             carried = own;
             results.push((*link, result));
         }
         results.reverse();
         (carried, results)
+    }
+
+    /// Crosses a boundary with values that pass from link to link on a path, which enter and leave a
+    /// repeated part once.
+    fn cross_route<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {
+        match self.layout.links[link].boundary {
+            Some(RepeatBoundary { channel, .. }) if channel != ChannelId(0) => carried,
+            _ => self.cross(link, direction, carried),
+        }
     }
 
     /// Returns the values on the other side of a link, which differ at the boundary of a repeated
