@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::cords::{Cord, End, To, cord, forms, routes, twins, with_springs};
+use common::cords::{Cord, End, To, cord, forms, ladder, routes, twins, with_springs};
 use common::double_double::DoubleDouble;
 use common::interpreter::{Arrays, Judge, run};
 use common::points::{points, springs};
@@ -138,6 +138,18 @@ fn springs_of_repeated_parts_are_those_written_out() {
             compare::<DoubleDouble>(&twins, state, 1e-14);
             compare::<f32>(&twins, state, 0.1);
         }
+    }
+}
+
+#[test]
+fn cords_of_a_ladder_are_those_written_out() {
+    let ladder = ladder();
+    for state in 0..STATES {
+        compare::<f64>(&ladder, state, 1e-10);
+        compare::<DoubleDouble>(&ladder, state, 1e-14);
+        let [repeated, unrolled] = ladder.state(state);
+        check_energy(&ladder.repeated, &repeated);
+        check_energy(&ladder.unrolled, &unrolled);
     }
 }
 

@@ -243,3 +243,69 @@ pub fn forms() -> Vec<(String, Vec<Cord>)> {
     };
     routes.into_iter().enumerate().map(text).collect()
 }
+
+/// Returns a ladder of a rope, rungs on both sides, and cords between neighbouring rungs, with a repeated part and written out.
+pub fn ladder() -> Twins {
+    let bodies = "gravity = [1, 2, -9.81] m/s^2;
+        body Beam {
+            mass = 5 kg; com = [0, 0, 0] m; inertia = diag(0.1, 0.01, 0.1) kg*m^2 about com;
+            output = [0, 0, 0] m; point left = [0, 0.2, 0] m; point right = [0, -0.2, 0] m;
+        }
+        body Link {
+            mass = 0.5 kg; com = [0, 0, -0.15] m; inertia = diag(0.04, 0.04, 0.01) kg*m^2 about com;
+            output = [0, 0, -0.3] m; point left = [0, 0.02, -0.3] m;
+            point right = [0, -0.02, -0.3] m turned rpy(0, 0, 180) deg;
+        }
+        body Rung {
+            mass = 0.3 kg; com = [0, 0.09, 0] m; inertia = diag(0.08, 0.03, 0.08) kg*m^2 about com;
+            point end = [0, 0.18, 0] m;
+        }
+        body Weight { mass = 2 kg; com = [0, 0, -0.05] m; inertia = diag(0.5, 0.5, 0.5) kg*m^2 about com; }";
+    let law = "stiffness = 50 N/m; damping = 2 N*s/m; length = 0.3 m;";
+    let route = "ground at [0, 0, 8] m -> pin(x) lashing -> Beam beam";
+    let repeated = format!(
+        "chain Ladder {{ {bodies} param person[3] = 50 N/m;
+        {route} -> repeat 3 from left.end = beam.left, right.end = beam.right {{
+            ball knot -> Link link; link.left -> ball left_joint -> Rung left; link.right -> ball right_joint -> Rung right
+        }} -> ball hook -> Weight weight;
+        spring left_cord {{ on = left.end; to = last.left.end; {law} }}
+        spring right_cord {{ on = right.end; to = last.right.end; {law} }}
+        spring cross {{ on = left.com; to = right.end; {law} }}
+        spring up {{ on = left.end; to = beam.right; stiffness = person; damping = 2; }}
+        spring down {{ on = right.com; to = weight.com; {law} }} }}"
+    );
+    let mut written = format!(
+        "chain Ladder {{ {bodies} param person_0 = 50 N/m; param person_1 = 50 N/m; param person_2 = 50 N/m; {route}"
+    );
+    let mut cords = [const { String::new() }; 5];
+    for k in 0..3 {
+        let start = if k == 0 { String::new() } else { format!("link_{}.output", k - 1) };
+        write!(
+            written,
+            "{start} -> ball knot_{k} -> Link link_{k}; link_{k}.left -> ball left_joint_{k} -> Rung left_{k};
+            link_{k}.right -> ball right_joint_{k} -> Rung right_{k};"
+        )
+        .expect("text can be written");
+        let last = |side: &str| match k {
+            0 => format!("beam.{side}"),
+            _ => format!("{side}_{}.end", k - 1),
+        };
+        let (left, right) = (last("left"), last("right"));
+        let lines = [
+            format!("spring left_cord_{k} {{ on = left_{k}.end; to = {left}; {law} }}"),
+            format!("spring right_cord_{k} {{ on = right_{k}.end; to = {right}; {law} }}"),
+            format!("spring cross_{k} {{ on = left_{k}.com; to = right_{k}.end; {law} }}"),
+            format!(
+                "spring up_{k} {{ on = left_{k}.end; to = beam.right; stiffness = person_{k}; damping = 2; }}"
+            ),
+            format!("spring down_{k} {{ on = right_{k}.com; to = weight.com; {law} }}"),
+        ];
+        cords.iter_mut().zip(lines).for_each(|(cords, line)| cords.push_str(&line));
+    }
+    write!(written, "link_2.output -> ball hook -> Weight weight; {} }}", cords.concat())
+        .expect("text can be written");
+    let [repeated, unrolled] = [repeated, written].map(|text| {
+        Twin::new(&text, Numbers::Written).unwrap_or_else(|error| panic!("{error}\n{text}"))
+    });
+    Twins { seed: 3, repeated, unrolled }
+}
