@@ -283,3 +283,70 @@ fn springs_report_length_tension_and_force() {
     assert_eq!((result.length(), result.length_rate()), (2.0, -2.0));
     assert_eq!((result.tension(), result.force()), (10.0, 10.0));
 }
+
+mstmm_chain! {
+    chain Ladder {
+        gravity = [0, 0, -9.81] m/s^2;
+        param taut[3] = 500 N/m;
+        body Beam {
+            mass = 5 kg;
+            com = [0, 0, 0] m;
+            inertia = diag(0.1, 0.01, 0.1) kg*m^2 about com;
+            output = [0, 0, 0] m;
+            point side = [0, 0.2, 0] m;
+        }
+        body Link {
+            mass = 0.5 kg;
+            com = [0, 0, -0.15] m;
+            inertia = diag(0.04, 0.04, 0.01) kg*m^2 about com;
+            output = [0, 0, -0.3] m;
+            point side = [0, 0.02, -0.3] m;
+        }
+        body Rung {
+            mass = 0.3 kg;
+            com = [0, 0.09, 0] m;
+            inertia = diag(0.08, 0.03, 0.08) kg*m^2 about com;
+            point end = [0, 0.18, 0] m;
+        }
+        ground at [0, 0, 8] m -> weld lashing -> Beam beam -> repeat 3 from rung.end = beam.side {
+            ball knot -> Link link;
+            link.side -> ball joint -> Rung rung;
+        };
+        spring cord { on = rung.end; to = last.rung.end; stiffness = taut; damping = 2 N*s/m; length = 0.3 m; }
+        spring stay { on = link.output; to = beam.side; stiffness = 30 N/m; }
+    }
+}
+
+#[test]
+fn springs_between_repetitions_balance_a_ladder() {
+    let mut ladder = Ladder::<f64>::new();
+    let taut = [800.0, 700.0, 600.0];
+    ladder.set_taut(|index| taut[index]).expect("positive stiffness");
+    let mut same = Ladder::<Dual>::new();
+    same.set_taut(|index| Dual::new(taut[index], 0.0)).expect("positive stiffness");
+    let mut state = ladder.initial_state();
+    let mut at = ladder.workspace();
+    let mut random = Random::new(1);
+    for _ in 0..20 {
+        state.rates_mut().iter_mut().for_each(|rate| *rate = random.between(-2.0, 2.0));
+        ladder.solve_into(&state, &ladder.no_inputs(), &mut at).expect("a regular chain");
+        let cords = [0, 1, 2].map(|index| at.cord(index).expect("three repetitions"));
+        let lost: f64 = cords.iter().map(|cord| 2.0 * cord.length_rate().powi(2)).sum();
+        let rate = energy_rate(&ladder, &same, &state, &ladder.no_inputs());
+        assert!((rate + lost).abs() < 1e-10 * (1.0 + lost), "{rate} {lost}");
+        for (cord, stiffness) in cords.iter().zip(taut) {
+            let tension = stiffness * (cord.length() - 0.3) + 2.0 * cord.length_rate();
+            assert!((cord.tension() - tension).abs() < 1e-12 * (1.0 + tension.abs()));
+            assert!((cord.force().norm() - tension.abs()).abs() < 1e-10);
+        }
+        // The cord of the first repetition ends on the beam.
+        let span = at.beam().side().position() - at.rung(0).expect("a rung").end().position();
+        assert!((span.norm() - cords[0].length()).abs() < 1e-13);
+        let stay = at.stay(2).expect("three repetitions");
+        let span = at.beam().side().position() - at.link(2).expect("a link").output().position();
+        assert!((stay.force() - span * 30.0).norm() < 1e-11);
+        state.coordinates_mut().iter_mut().for_each(|q| *q += random.between(-0.2, 0.2));
+        ladder.normalize(&mut state);
+    }
+    assert!(at.cord(3).is_none());
+}
