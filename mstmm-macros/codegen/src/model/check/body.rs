@@ -6,8 +6,8 @@ use crate::model::condition::Requirement;
 use crate::model::lower::{Draft, POINTS, PlacePoint, RouteItem, RouteStart, listed};
 use crate::model::rules::MASS;
 
-/// Reports body types that no route uses: most likely an error in a route.
-pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
+/// Reports body types and parts that no route uses: most likely an error in a route.
+pub(super) fn types_and_parts_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     let is_lost = |item: &RouteItem| {
         matches!(
             item,
@@ -18,6 +18,9 @@ pub(super) fn types_are_used(draft: &Draft, diagnostics: &mut Diagnostics) {
     };
     if readable_routes(draft).next().is_none() || draft.items.iter().any(is_lost) {
         return;
+    }
+    for part in &draft.written.unused_parts {
+        diagnostics.error(part.span(), format!("part `{part}` is never set on a route"));
     }
     let mut is_used = vec![false; draft.types.all.len()];
     for item in &draft.items {

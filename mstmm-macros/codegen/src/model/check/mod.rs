@@ -1,6 +1,7 @@
 //! The rules of the model, one function each. They are checked after everything readable has been
 //! read.
 
+mod alternate;
 mod body;
 mod compound;
 mod hinge;
@@ -55,7 +56,7 @@ const RULES: &[ModelRule] = &[
     route::there_is_a_route_with_a_body,
     tree::further_routes_begin_at_places,
     route::ground_is_at_the_ends,
-    route::hinges_and_bodies_alternate,
+    alternate::hinges_and_bodies_alternate,
     route::hinges_connect_two_sides,
     route::closed_chains_can_move,
     tree::transfer_is_for_chains,
@@ -63,7 +64,7 @@ const RULES: &[ModelRule] = &[
     repeat::repeats_begin_with_a_hinge_and_end_with_a_body,
     repeat::repeats_contain_no_ends,
     repeat::repeats_follow_the_held_end,
-    body::types_are_used,
+    body::types_and_parts_are_used,
     body::fields_are_given,
     body::points_are_named_once,
     hinge::prescribed_motions_exclude_other_drives,

@@ -2,10 +2,9 @@
 
 use proc_macro2::Span;
 
-use super::compound;
 use crate::diag::Diagnostics;
 use crate::model::Drive;
-use crate::model::lower::{Draft, RouteItem, WrittenRepeat, WrittenRoute, listed};
+use crate::model::lower::{Draft, RouteItem, WrittenRepeat, WrittenRoute};
 
 /// A route with its items.
 #[derive(Clone, Copy)]
@@ -39,7 +38,7 @@ impl<'d, 'a> RouteView<'d, 'a> {
 
     /// Returns whether a repeated part begins or ends between this position and the next one with a wrong item, which
     /// another rule reports.
-    fn boundary_is_wrong(self, position: usize) -> bool {
+    pub fn boundary_is_wrong(self, position: usize) -> bool {
         let item = |position: usize| &self.draft.items[self.route.items[position]];
         let of_this_route = |repeat: &&WrittenRepeat| repeat.route == self.index;
         let around = |position| self.repeat_around(position).filter(of_this_route);
@@ -89,6 +88,25 @@ pub(super) fn called(item: &RouteItem) -> Option<(Span, String)> {
     }
 }
 
+/// Returns the token of an item in a scope: its own, or that of the instance of a part that contains it.
+pub(super) fn token_in(draft: &Draft, scope: usize, item: usize) -> Option<Span> {
+    match instance_in(draft, scope, item) {
+        None => called(&draft.items[item]).map(|(at, _)| at),
+        Some(instance) => Some(draft.written.scopes[instance].name.as_ref()?.joined.span()),
+    }
+}
+
+/// Returns the instance of a part in a scope that contains an item; `None` if the item is written in the scope.
+pub(super) fn instance_in(draft: &Draft, scope: usize, item: usize) -> Option<usize> {
+    let mut inner = None;
+    let mut around = draft.written.items[item].scope;
+    while around != scope && around > 0 {
+        inner = Some(around);
+        around = draft.written.scopes[around].parent;
+    }
+    inner
+}
+
 /// Reports a missing route, and routes without a body.
 pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diagnostics) {
     let name = &draft.def.name;
@@ -134,80 +152,6 @@ pub(super) fn ground_is_at_the_ends(draft: &Draft, diagnostics: &mut Diagnostics
     }
 }
 
-/// Reports bodies without a hinge between them, and hinges without a body between them.
-pub(super) fn hinges_and_bodies_alternate(draft: &Draft, diagnostics: &mut Diagnostics) {
-    let defaults = draft.defaults();
-    for route in readable_routes(draft) {
-        let items: Vec<&RouteItem> = route.items().collect();
-        for position in 0..items.len().saturating_sub(1) {
-            if !route.boundary_is_wrong(position)
-                && let Some((at, message)) = pair_message(&items, position, &defaults)
-            {
-                diagnostics.error(at, message);
-            }
-        }
-        // A hinge follows the place at which the route begins.
-        if let (Some(start), Some(body @ RouteItem::Body { body_type: Some(_), .. })) =
-            (&route.route.syntax.start, items.first())
-            && let Some((at, name)) = called(body)
-        {
-            let message = format!(
-                "`{start}` and {name} have no hinge between them: add one, such as `weld name`"
-            );
-            diagnostics.error(at, message);
-        }
-    }
-}
-
-/// Returns the span and the message if two items in a row are wrong.
-fn pair_message(
-    items: &[&RouteItem],
-    position: usize,
-    defaults: &[Option<f64>],
-) -> Option<(Span, String)> {
-    let (first, second) = (items[position], items[position + 1]);
-    let ((_, first_name), (at, second_name)) = (called(first)?, called(second)?);
-    let is_known_body =
-        |item: &RouteItem| matches!(item, RouteItem::Body { body_type: Some(_), .. });
-    if first.is_hinge() && second.is_hinge() {
-        let hinges = hinges_in_a_row(items, position)?;
-        return Some((at, bodies_are_missing(hinges, defaults)));
-    }
-    let (at_start, at_end) = (position == 0, position + 2 == items.len());
-    let names = if is_known_body(first) && is_known_body(second) {
-        let [first, second] =
-            [&first_name, &second_name].map(|name| name.trim_start_matches("body "));
-        format!("bodies {first} and {second}")
-    } else if (first.is_end() && is_known_body(second) && at_start)
-        || (is_known_body(first) && second.is_end() && at_end)
-    {
-        format!("{first_name} and {second_name}")
-    } else {
-        return None;
-    };
-    Some((at, format!("{names} have no hinge between them: add one, such as `weld name`")))
-}
-
-/// Returns the hinges in a row that begin at this position; `None` if it is not the first of them.
-fn hinges_in_a_row<'i, 'd, 'a>(
-    items: &'i [&'d RouteItem<'a>],
-    first: usize,
-) -> Option<&'i [&'d RouteItem<'a>]> {
-    if items[..first].last().is_some_and(|item| item.is_hinge()) {
-        return None;
-    }
-    let count = items[first..].iter().take_while(|item| item.is_hinge()).count();
-    Some(&items[first..first + count])
-}
-
-fn bodies_are_missing(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> String {
-    let names = hinges.iter().filter_map(|hinge| called(hinge));
-    let names: Vec<String> =
-        names.map(|(_, name)| name.trim_start_matches("hinge ").to_owned()).collect();
-    let advice = compound::advice(hinges, defaults);
-    format!("hinges {} have no body between them{advice}", listed(&names))
-}
-
 /// Reports hinges at an end of a route.
 pub(super) fn hinges_connect_two_sides(draft: &Draft, diagnostics: &mut Diagnostics) {
     for route in readable_routes(draft) {
@@ -221,10 +165,11 @@ pub(super) fn hinges_connect_two_sides(draft: &Draft, diagnostics: &mut Diagnost
             if !item.is_hinge() || around.is_some() {
                 continue;
             }
-            let Some((at, name)) = called(item) else { continue };
+            let Some((_, name)) = called(item) else { continue };
+            let at = token_in(draft, route.route.scope, route.route.items[position]);
             let ends = if route.index == RouteView::FIRST { " or with `ground`" } else { "" };
             let message = format!("{name} connects nothing: {verb} the route with a body{ends}");
-            diagnostics.error(at, message);
+            diagnostics.error(at.unwrap_or(route.route.syntax.at), message);
         }
     }
 }

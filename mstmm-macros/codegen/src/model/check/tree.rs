@@ -3,7 +3,8 @@
 use super::route::{RouteView, called, readable_routes};
 use crate::diag::Diagnostics;
 use crate::model::SolutionMethod;
-use crate::model::lower::{Draft, RouteItem, RouteStart, places_of};
+use crate::model::lower::{Draft, RouteItem, RouteStart, example_place, places_of};
+use crate::syntax::PathSyntax;
 
 /// Reports routes after the first one that begin neither with an end nor at a place.
 pub(super) fn further_routes_begin_at_places(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -38,9 +39,15 @@ fn begin_message(draft: &Draft, route: RouteView, first: &RouteItem) -> Option<S
     Some(match first {
         RouteItem::Duplicate { name } => match named_body(&name.path) {
             Some((name, body_type)) => format!(
-                "a later route begins at a place: `{name}.output -> …`; `{name}` has {}",
+                "a later route begins at a place: `{name}.{} -> …`; `{name}` has {}",
+                example_place(body_type),
                 places_of(body_type)
             ),
+            None if names.instance_by_path(&name.path).is_some() => {
+                let instance = names.instance_by_path(&name.path)?;
+                let path = PathSyntax::name(name.joined.clone());
+                draft.resolved().is_part(&path, instance)
+            }
             None => format!(
                 "`{name}` is not a body: a later route begins at a place of a body, as in \
                  `body.output -> …`"

@@ -7,7 +7,7 @@ use super::load::{LoadDraft, SpringDraft};
 use super::names::NameTable;
 use super::numbering::Numbering;
 use super::parts::{ItemName, WrittenOut};
-use super::place::{BodyPlace, PlacePoint};
+use super::place::{BodyPlace, PlacePoint, Resolved};
 use super::properties::{self, ItemProperties};
 use super::route_item::RouteItem;
 use super::setting::Settings;
@@ -53,7 +53,13 @@ pub(crate) struct Draft<'a> {
     pub springs: Vec<SpringDraft<'a>>,
 }
 
-impl Draft<'_> {
+impl<'a> Draft<'a> {
+    /// Returns the items and their names.
+    pub fn resolved<'d>(&'d self) -> Resolved<'d, 'a> {
+        let Draft { written, items, types, names, .. } = self;
+        Resolved { written, items, types, names }
+    }
+
     /// The defaults of the parameters, where they are known.
     pub fn defaults(&self) -> Vec<Option<f64>> {
         self.parameters.iter().map(|parameter| parameter.default.known()).collect()

@@ -175,8 +175,9 @@ impl<'a> UnresolvedElement<'a> {
         if !self.written.complete || blocks.any(|path| path.end() == word) {
             return;
         }
+        let parts = self.written.parts.iter().copied();
         let visible = || types.visible(self.scope).map(|known| known.name);
-        let hint = context.hint(word, visible());
+        let hint = context.hint(word, visible().chain(parts));
         let message = format!("unknown body type `{word}`{hint}");
         context.diagnostics.unknown(word, message, visible());
     }

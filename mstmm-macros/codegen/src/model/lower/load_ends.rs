@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use super::context::Context;
 use super::dimension::LENGTH;
 use super::numbering::Numbering;
-use super::place::{BodyPlace, POINTS, Resolved, body_extent, output_of};
+use super::place::{BodyPlace, POINTS, Resolved, body_extent, example_place, output_of};
 use super::start::{self, Seeds};
 use super::vector::zeros;
 use crate::model::{BodyPoint, Dimension, Value};
@@ -216,8 +216,7 @@ pub(super) fn spring_to(
     }
     let item = resolved.names.item(resolved.written, scope, std::slice::from_ref(word));
     if let Some(item) = item.filter(|&item| resolved.items[item].is_body()) {
-        let point = resolved.type_of(item).and_then(|of| of.points.first());
-        let point = point.map_or_else(|| "output".to_owned(), |point| point.name.to_string());
+        let point = resolved.type_of(item).map_or_else(|| "output".into(), example_place);
         let message = format!("name the place on `{word}`: `to = {word}.{point}`");
         return context.refuse(word, message);
     }

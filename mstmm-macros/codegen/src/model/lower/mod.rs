@@ -38,7 +38,7 @@ pub(super) use fields::Fields;
 pub(crate) use fields::listed;
 pub(super) use hinge::{FieldNames, KINDS, groups};
 pub(super) use parts::{ItemName, WrittenOut, WrittenRepeat, WrittenRoute, write_out};
-pub(super) use place::{POINTS, PlacePoint, places_of};
+pub(super) use place::{POINTS, PlacePoint, example_place, places_of};
 pub(super) use route_item::RouteItem;
 pub(super) use start::RouteStart;
 

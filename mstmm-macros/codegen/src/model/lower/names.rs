@@ -63,6 +63,11 @@ impl NameTable {
         self.items.get(path).copied()
     }
 
+    /// Returns the instance of a part with a path as seen from outside of all parts.
+    pub fn instance_by_path(&self, path: &str) -> Option<usize> {
+        self.instances.get(path).copied()
+    }
+
     /// Returns the instance of a part with a path in a scope.
     pub fn instance(&self, written: &WrittenOut, scope: usize, path: &[Ident]) -> Option<usize> {
         self.instances.get(&written.scopes[scope].path(path)).copied()

@@ -40,7 +40,7 @@ pub(crate) enum PlacePoint {
 
 /// The items of a chain and their names.
 #[derive(Clone, Copy)]
-pub(super) struct Resolved<'t, 'a> {
+pub(crate) struct Resolved<'t, 'a> {
     /// The chain with its parts written out.
     pub written: &'a WrittenOut<'a>,
     /// The items.
@@ -66,7 +66,7 @@ impl<'t, 'a> Resolved<'t, 'a> {
     }
 
     /// Returns a place, or reports that there is none; `last` is ignored.
-    pub fn place(
+    pub(super) fn place(
         &self,
         path: &PathSyntax,
         scope: usize,
@@ -98,7 +98,7 @@ impl<'t, 'a> Resolved<'t, 'a> {
     }
 
     /// Returns the position of a place in the body frame, in m. A missing output is reported.
-    pub fn position(
+    pub(super) fn position(
         &self,
         place: BodyPlace,
         path: &PathSyntax,
@@ -128,7 +128,8 @@ impl<'t, 'a> Resolved<'t, 'a> {
         if let Some(item) = self.names.item(self.written, scope, &path.names) {
             return match &self.items[item] {
                 RouteItem::Body { .. } => {
-                    let message = format!("name the place on `{shown}`: `{shown}.output`");
+                    let place = self.type_of(item).map_or_else(|| "output".into(), example_place);
+                    let message = format!("name the place on `{shown}`: `{shown}.{place}`");
                     context.refuse(path.extent(), message)
                 }
                 RouteItem::Hinge { .. } => {
@@ -141,25 +142,29 @@ impl<'t, 'a> Resolved<'t, 'a> {
         if let Some(instance) = self.names.instance(self.written, scope, &path.names) {
             return context.refuse(path.extent(), self.is_part(&shown, instance));
         }
+        if let Some(instance) = self.names.instance(self.written, scope, body) {
+            let shown = PathSyntax { last: None, names: body.to_vec() };
+            return context.refuse(shown.extent(), self.is_part(&shown, instance));
+        }
         self.unknown_body(body, scope, context)
     }
 
     /// Returns the message for an instance of a part in place of a body.
     pub fn is_part(&self, shown: &PathSyntax, instance: usize) -> String {
-        let body = self.items.iter().enumerate().find_map(|(index, item)| match item {
-            RouteItem::Body { word, .. } if self.written.items[index].scope == instance => {
-                let name = &item.name()?.path;
-                let outer = &self.written.scopes[self.written.scopes[instance].parent];
-                Some((name.strip_prefix(outer.prefix())?.to_owned(), word))
+        let outer = &self.written.scopes[self.written.scopes[instance].parent];
+        let example = self.items.iter().enumerate().find_map(|(index, item)| match item {
+            RouteItem::Body { name, .. } if self.written.items[index].scope == instance => {
+                let place = example_place(self.type_of(index)?);
+                Some(format!("{}.{place}", name.path.strip_prefix(outer.prefix())?))
             }
             _ => None,
         });
-        let example = body.map_or_else(|| format!("{shown}.body"), |(name, _)| name);
-        format!("`{shown}` is a part: name the body and the place, `{example}.output`")
+        let example = example.unwrap_or_else(|| format!("{shown}.body.output"));
+        format!("`{shown}` is a part: name the body and the place, `{example}`")
     }
 
     /// Reports an unknown body.
-    pub fn unknown_body<T>(
+    pub(super) fn unknown_body<T>(
         &self,
         body: &[Ident],
         scope: usize,
@@ -263,6 +268,14 @@ fn no_place<T>(
     let points = body_type.points.iter().map(|point| point.name);
     context.diagnostics.unknown(point, message, points);
     None
+}
+
+/// Returns a place of a body, for examples in messages.
+pub(crate) fn example_place(body_type: &BodyType) -> String {
+    match body_type.points.first() {
+        Some(point) if !body_type.gives("output") => point.name.to_string(),
+        _ => "output".into(),
+    }
 }
 
 /// Lists the places of a body for messages.

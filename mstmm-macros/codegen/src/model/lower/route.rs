@@ -102,7 +102,7 @@ impl<'a> Resolver<'a, '_> {
         let name = match element.name {
             None if element.is_known(self.types) => None,
             None => Some(element.word),
-            Some(name) => begins_further.then_some(name),
+            Some(name) => (begins_further && !element.is_kind()).then_some(name),
         };
         name.map(|name| scope.item_name(name)).filter(is_known)
     }

@@ -56,7 +56,11 @@ fn number(value: &ValueSyntax, diagnostics: &mut Diagnostics) -> Option<ExprSynt
         diagnostics.error_over(value.extent(), message);
         return None;
     };
-    if FormulaSize::of(expr).is_too_large() {
+    let size = FormulaSize::of(expr);
+    if size.is_lost {
+        return None;
+    }
+    if size.is_too_large() {
         let message = "this argument is too long with the arguments in it written out: write a \
                        part of it as a `param` or a Rust `const`";
         diagnostics.error_over(expr.extent, message);

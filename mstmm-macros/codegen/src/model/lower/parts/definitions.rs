@@ -1,5 +1,6 @@
 //! The definitions of parts, independent of their uses.
 
+use proc_macro2::Ident;
 use std::collections::{HashMap, HashSet};
 
 use crate::diag::Diagnostics;
@@ -16,7 +17,10 @@ pub(super) fn parts<'a>(
     let mut parts: HashMap<String, &PartSyntax> = HashMap::new();
     for part in &def.parts {
         let name = part.name.to_string();
-        if KINDS.iter().any(|kind| kind.word == name) {
+        // These are reported with the names of body types.
+        let blocks = def.content.blocks.iter().filter(|block| !block.after_route);
+        let is_type = blocks.flat_map(|block| &block.names).any(|path| *path.end() == part.name);
+        if is_type || KINDS.iter().any(|kind| kind.word == name) {
             continue;
         }
         if parts.contains_key(&name) {
@@ -29,14 +33,6 @@ pub(super) fn parts<'a>(
         check_parameters(part, def, diagnostics);
         check_routes(part, diagnostics);
         parts.insert(name, part);
-    }
-    let used = used_parts(def, &parts);
-    for part in &def.parts {
-        let name = part.name.to_string();
-        if parts.contains_key(&name) && !used.contains(&name) && def.content.complete {
-            let message = format!("part `{name}` is never set on a route");
-            diagnostics.error(part.name.span(), message);
-        }
     }
     parts
 }
@@ -87,6 +83,19 @@ fn check_routes(part: &PartSyntax, diagnostics: &mut Diagnostics) {
         let message = format!("`{word}` is written outside of parts: `{example} -> {name} name`");
         diagnostics.error(*at, message);
     }
+}
+
+/// Returns the names of the parts that are never set on a route.
+pub(super) fn unused<'a>(
+    def: &'a ChainSyntax,
+    parts: &HashMap<String, &'a PartSyntax>,
+) -> Vec<&'a Ident> {
+    let used = used_parts(def, parts);
+    let is_unused = |part: &&PartSyntax| {
+        let name = part.name.to_string();
+        parts.contains_key(&name) && !used.contains(&name)
+    };
+    def.parts.iter().filter(is_unused).map(|part| &part.name).collect()
 }
 
 /// Returns the names of all parts that are set by the chain or by another part.

@@ -24,6 +24,8 @@ pub(crate) struct WrittenOut<'a> {
     pub scopes: Vec<Scope<'a>>,
     /// The names of all parts.
     pub parts: Vec<&'a Ident>,
+    /// The names of the parts that are never set on a route.
+    pub unused_parts: Vec<&'a Ident>,
     /// All items in the order of the text: route by route, in a repeated part its first route, then its branches.
     pub items: Vec<WrittenItem<'a>>,
     /// The routes. The first route of a part and that of a repeated part belong to the route that they continue.
@@ -167,9 +169,11 @@ pub(in crate::model) fn write_out<'a>(
     diagnostics: &mut Diagnostics,
 ) -> WrittenOut<'a> {
     let parts = definitions::parts(def, diagnostics);
+    let unused_parts = definitions::unused(def, &parts);
     let mut writer = RouteWriter::new(def, parts, diagnostics);
     writer.write_chain();
     let mut written = writer.written;
+    written.unused_parts = unused_parts;
     let complete = written.scopes.iter().filter_map(|scope| scope.part);
     written.complete &= def.content.complete && complete.clone().all(|part| part.content.complete);
     written.routes_are_complete &= std::iter::once(&def.content)

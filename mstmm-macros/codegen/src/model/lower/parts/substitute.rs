@@ -149,12 +149,14 @@ impl Substitution {
 }
 
 /// The size of a formula with its arguments written out.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 pub(super) struct FormulaSize {
     /// The number of its nodes.
     nodes: usize,
     /// The length of its longest path from the root.
     depth: usize,
+    /// Whether a number in it is lost, which is reported.
+    pub is_lost: bool,
 }
 
 impl FormulaSize {
@@ -165,7 +167,8 @@ impl FormulaSize {
 
     /// Returns the size of a number.
     pub fn of(expr: &ExprSyntax) -> Self {
-        let leaf = FormulaSize { nodes: 1, depth: 1 };
+        let is_lost = matches!(expr.kind, ExprKind::Lost);
+        let leaf = FormulaSize { nodes: 1, depth: 1, is_lost };
         let of_all = |exprs: &mut dyn Iterator<Item = &ExprSyntax>| {
             exprs.map(FormulaSize::of).fold(leaf, FormulaSize::with)
         };
@@ -182,7 +185,11 @@ impl FormulaSize {
     }
 
     fn with(self, inner: FormulaSize) -> Self {
-        FormulaSize { nodes: self.nodes + inner.nodes, depth: self.depth.max(inner.depth + 1) }
+        FormulaSize {
+            nodes: self.nodes + inner.nodes,
+            depth: self.depth.max(inner.depth + 1),
+            is_lost: self.is_lost || inner.is_lost,
+        }
     }
 
     /// Returns whether a number is too large for an argument.

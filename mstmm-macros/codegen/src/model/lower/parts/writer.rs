@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::arguments::substitution;
 use super::definitions::has_repeat;
@@ -27,6 +27,8 @@ pub(super) struct RouteWriter<'a, 'd> {
     def: &'a ChainSyntax,
     parts: HashMap<String, &'a PartSyntax>,
     diagnostics: &'d mut Diagnostics,
+    /// The paths of the instances so far.
+    instances: HashSet<String>,
     is_full: bool,
 }
 
@@ -71,6 +73,7 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
         let written = WrittenOut {
             scopes: vec![chain],
             parts: def.parts.iter().map(|part| &part.name).collect(),
+            unused_parts: Vec::new(),
             items: Vec::new(),
             routes: Vec::new(),
             repeats: Vec::new(),
@@ -78,7 +81,7 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
             complete: true,
             routes_are_complete: true,
         };
-        RouteWriter { written, def, parts, diagnostics, is_full: false }
+        RouteWriter { written, def, parts, diagnostics, instances: HashSet::new(), is_full: false }
     }
 
     /// Writes out all routes and blocks.
@@ -133,7 +136,7 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
             && let Some(&part) = self.parts.get(&word.to_string())
         {
             let set = PartUse { word, name: name.as_ref(), arguments: arguments.as_ref() };
-            if let Some(reason) = self.cannot_be_set(part, &set, open) {
+            if let Some(reason) = self.cannot_be_set(part, open) {
                 self.written.routes_are_complete = false;
                 if let Some(message) = reason {
                     self.diagnostics.error(word.span(), message);
@@ -148,12 +151,7 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
     }
 
     /// Returns why a part cannot be set here; the reason is `None` if it is reported already.
-    fn cannot_be_set(
-        &mut self,
-        part: &PartSyntax,
-        set: &PartUse,
-        open: &OpenRoute,
-    ) -> Option<Option<String>> {
+    fn cannot_be_set(&mut self, part: &PartSyntax, open: &OpenRoute) -> Option<Option<String>> {
         let mut around = Vec::new();
         let mut scope = &self.written.scopes[open.scope];
         while let Some(outer) = scope.part {
@@ -176,10 +174,6 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
         if around.len() >= DEEPEST {
             return Some(Some(format!("more than {DEEPEST} parts in parts")));
         }
-        if set.name.is_some_and(|name| name == "last") {
-            let message = "an instance of a part cannot be called `last`: choose another name";
-            return Some(Some(message.into()));
-        }
         let size = self.written.items.len().max(self.written.scopes.len());
         if size >= MOST_ITEMS {
             let reported = std::mem::replace(&mut self.is_full, true);
@@ -194,9 +188,22 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
     /// Writes out an instance of a part.
     fn part(&mut self, part: &'a PartSyntax, set: &PartUse, open: &mut OpenRoute) {
         let name = set.name.cloned().unwrap_or_else(|| snake_case(set.word));
+        let item_name = self.written.scopes[open.scope].item_name(&name);
+        let is_new = self.instances.insert(item_name.path.clone());
+        if !is_new || name == "last" {
+            let message = match (is_new, set.name) {
+                (true, _) => "an instance of a part cannot be called `last`".to_owned(),
+                (false, Some(_)) => format!("the name `{name}` is used twice"),
+                (false, None) => {
+                    format!("the name `{name}` is used twice; write a name after the part")
+                }
+            };
+            self.diagnostics.name(&item_name.joined, message);
+            self.written.routes_are_complete = false;
+            return;
+        }
         let substitution = substitution(part, set.word, &name, set.arguments, self.diagnostics);
         let outer = &self.written.scopes[open.scope];
-        let item_name = outer.item_name(&name);
         let scope = Scope {
             part: Some(part),
             parent: open.scope,
