@@ -141,10 +141,7 @@ class Reader:
 
     def robot(self, floating: bool) -> Robot:
         below = {linked(joint, "child") for joints in self.children.values() for joint in joints}
-        roots = set(self.links) - below
-        if len(roots) != 1:
-            raise ValueError(f"expected one root link, found {len(roots)}")
-        (root,) = roots
+        (root,) = set(self.links) - below
         self.bodies: list[Body] = []
         if floating:
             self.add(root, "", "floating", [], None, identity())
@@ -157,7 +154,9 @@ class Reader:
         dampers = [name_of(joint) for joint in every if dissipates(joint)]
         return Robot(self.root.get("name", "robot"), self.bodies, mimics, dampers)
 
-    def add(self, link: str, joint: str, kind: str, axis: Vector, parent: int | None, frame: Frame) -> None:
+    def add(
+        self, link: str, joint: str, kind: str, axis: Vector, parent: int | None, frame: Frame
+    ) -> None:
         """Adds a body and the bodies outboard of it."""
         mass, merged, joints = self.rigid(link)
         index = len(self.bodies)
@@ -293,9 +292,7 @@ def times(m: Matrix, v: Vector) -> Vector:
 
 def product(a: Matrix, b: Matrix) -> Matrix:
     columns = transposed(b)
-    return [
-        [sum((x * y for x, y in zip(row, column, strict=True)), mpf(0)) for column in columns] for row in a
-    ]
+    return [[sum((x * y for x, y in zip(row, column, strict=True)), mpf(0)) for column in columns] for row in a]
 
 
 def transposed(m: Matrix) -> Matrix:

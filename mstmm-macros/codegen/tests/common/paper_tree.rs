@@ -1,20 +1,26 @@
 //! Trees for the reference solver, the compiler and the paper's matrices: a free hub with three arms of pins.
 
-use super::Point;
 use super::paper::{
     GRAVITY, about_com, cube, frame_about, matrix, plain, random_body, reported, vector,
 };
+use super::{Point, compute, read};
+use mstmm_codegen::equations::Axes;
 use mstmm_codegen::math::Structured;
+use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::{
-    self as reference, Element, End, Frame, Hinge, HingeKind, NamedPoint, Random,
+    self as reference, Element, End, Frame, Hinge, HingeKind, NamedPoint, Random, State,
 };
 use mstmm_runtime::nalgebra::{Matrix3, SVector, Vector3};
 use mstmm_runtime::paper::body::{Body, Load, Motion};
+use mstmm_runtime::paper::chain::OutputEnd;
 use mstmm_runtime::paper::pin::Pin;
-use mstmm_runtime::paper::tree::FurtherInput;
+use mstmm_runtime::paper::tree::{self, Columns, FurtherInput};
 use mstmm_runtime::paper::{TransferMatrix, state};
 
 pub const ARMS: usize = 3;
+
+/// The number of unknowns: six at each tip, and Θ̈ of each pin at the hub.
+const UNKNOWNS: usize = 7 * ARMS;
 
 /// A free hub with arms of equal length. The input of each body is at the side of the hub.
 pub struct Tree {
@@ -42,7 +48,7 @@ pub struct ArmElements {
 /// The elements of a tree in motion.
 pub struct Elements {
     pub arms: [ArmElements; ARMS],
-    /// The matrix of the hub from its first input to its centre.
+    /// The matrix of the hub, from its first input to the origin of its frame.
     pub hub: TransferMatrix<f64>,
     pub further: [FurtherInput<f64>; ARMS - 1],
 }
@@ -107,7 +113,7 @@ impl Tree {
     }
 
     /// Returns a random state, in numbers that are exact in `f32`.
-    pub fn random_state(&self, seed: u64) -> reference::State {
+    pub fn random_state(&self, seed: u64) -> State {
         let mut random = Random::new(seed);
         let pins = ARMS * self.count();
         let mut short = |limit: f64| f64::from(random.between(-limit, limit) as f32);
@@ -115,7 +121,7 @@ impl Tree {
         let v = (0..6 + pins).map(|_| short(2.0)).collect();
         let length = q[3..7].iter().map(|x| x * x).sum::<f64>().sqrt();
         q[3..7].iter_mut().for_each(|x| *x /= length);
-        reference::State { q, v }
+        State { q, v }
     }
 
     /// Returns the elements, with the motion of all points and the rates of the state.
@@ -153,12 +159,70 @@ impl Tree {
         2 + ARMS + 2 * (arm * self.count() + body)
     }
 
-    /// Returns the state vectors of an arm from the tip to the hub: at the input and the output of
-    /// each body, and at the input of the hub.
-    pub fn along<'a>(&self, places: &'a [Place], arm: usize) -> Vec<&'a SVector<f64, 13>> {
-        let ends = |k: usize| [self.input(arm, k) + 1, self.input(arm, k)];
-        let points = (0..self.count()).rev().flat_map(ends).chain([2 + arm]);
-        points.map(|point| &places[point].z).collect()
+    /// Returns the state vectors at all points: for each arm from the tip to the hub, those at the input and the output of
+    /// each body and at the input of the hub; then the one at the output of the hub.
+    pub fn states(&self, places: &[Place]) -> Vec<SVector<f64, 13>> {
+        let ends = |arm: usize, k: usize| [self.input(arm, k) + 1, self.input(arm, k)];
+        let along =
+            |arm: usize| (0..self.count()).rev().flat_map(move |k| ends(arm, k)).chain([2 + arm]);
+        (0..ARMS).flat_map(along).chain([0]).map(|point| places[point].z).collect()
+    }
+
+    /// Returns the connection points as the reference solver computes them.
+    pub fn independent(&self, state: &State) -> Vec<Place> {
+        let chain = self.reference();
+        let efforts = vec![0.0; chain.dof_count()];
+        chain.solve(state, &efforts).points.iter().map(Place::of_reference).collect()
+    }
+
+    /// Returns the connection points as the compiler's equations compute them by Riccati's method.
+    pub fn riccati(&self, state: &State) -> Vec<Place> {
+        let (way, efforts) = ((SolutionMethod::Riccati, Axes::Body), vec![0.0; state.v.len()]);
+        let chain = read(&self.reference().to_macro_text(None));
+        let computed = compute::<f64>(&chain, way, &state.q, &state.v, &efforts);
+        computed.report.points.iter().map(Place::of_compiler).collect()
+    }
+}
+
+impl ArmElements {
+    /// Returns the matrices of an arm, except that of its last pin: body, pin, body, …, body.
+    fn matrices(&self) -> Vec<TransferMatrix<f64>> {
+        let ArmElements { bodies, pins } = self;
+        let neighbours = bodies.iter().skip(1).zip(pins.windows(2));
+        let pairs = neighbours.flat_map(|(body, pins)| {
+            [pins[0].blocks(body, &pins[1].orientation).transfer_matrix(), *body]
+        });
+        [bodies[0]].into_iter().chain(pairs).collect()
+    }
+}
+
+impl Elements {
+    /// Solves the overall equation and returns the state vectors in the order of [`Tree::states`].
+    pub fn solve(&self) -> Vec<SVector<f64, 13>> {
+        let (mut conditions, mut inputs, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, arm) in self.arms.iter().enumerate() {
+            let mut z = Columns::<f64, 13, UNKNOWNS>::free_tip(7 * k);
+            states.push(z);
+            for element in arm.matrices() {
+                z = z.through(&element);
+                states.push(z);
+            }
+            conditions.extend(
+                states[states.len() - 2 * arm.bodies.len() + 1].axial_moment(&arm.pins[0]).rows(),
+            );
+            z = z.over_pin(&arm.pins[arm.pins.len() - 1], 7 * k + 6);
+            states.push(z);
+            inputs.push(z);
+        }
+        let mut output = inputs[0].through(&self.hub);
+        for (further, input) in self.further.iter().zip(&inputs[1..]) {
+            conditions.extend(further.geometric_equations(&inputs[0], input).rows());
+            output = output + input.through(&further.transfer_matrix());
+        }
+        conditions.extend(output.through(&OutputEnd::free().conditions).rows());
+        states.push(output);
+        let x = tree::solve::<f64, UNKNOWNS, UNKNOWNS>(conditions);
+        states.iter().map(|z| z.at(&x)).collect()
     }
 }
 
