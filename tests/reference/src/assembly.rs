@@ -90,7 +90,7 @@ impl<'a> Assembly<'a> {
                 let is_input = matches!(inboard, Side::On { place: 0, .. });
                 let is_shared = is_input || leaving(inboard) > 1;
                 let input = self.point(inboard, Some(number).filter(|_| is_shared));
-                ElementPoints { input, output: self.point(outboard, None), named: Vec::new() }
+                ElementPoints { input, output: self.point(outboard, None) }
             }
             Numbered::Body(body) => {
                 let named = chain.bodies().nth(body).map_or(0, |body| body.points.len());
@@ -98,8 +98,10 @@ impl<'a> Assembly<'a> {
                 let joined: Vec<Side> = named.filter(|side| leaving(*side) > 0).collect();
                 let input = self.point(Side::input(body), None);
                 let output = self.point(Side::output(body), None);
-                let named = joined.into_iter().map(|side| self.point(side, None)).collect();
-                ElementPoints { input, output, named }
+                for side in joined {
+                    self.point(side, None);
+                }
+                ElementPoints { input, output }
             }
         }
     }

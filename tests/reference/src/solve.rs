@@ -5,7 +5,7 @@ use crate::chain::{Chain, State};
 use crate::drives::Drives;
 use crate::equations::{Dynamics, Equations};
 use crate::external_load::{ExternalLoad, Stretched};
-use crate::mechanism::{FrameState, Joint, Mechanism, Motion, Side};
+use crate::mechanism::{FrameState, Joint, Mechanism, Motion, Rigid, Side};
 use crate::relative::{Twist, twist};
 use crate::rotation::{self, Vec3};
 
@@ -25,6 +25,8 @@ pub struct Solution {
     pub points: Vec<Point>,
     /// The points of every element in written order.
     pub elements: Vec<ElementPoints>,
+    /// The named points of every body, also those at which no hinge begins.
+    pub named_points: Vec<Vec<Point>>,
     /// The load of every hinge at its inboard side, in written order.
     pub hinge_loads: Vec<HingeLoad>,
     /// The springs in written order.
@@ -76,14 +78,12 @@ pub struct Point {
 }
 
 /// The indices of an element's points in [`Solution::points`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ElementPoints {
     /// Its input.
     pub input: usize,
     /// Its output.
     pub output: usize,
-    /// The named points of a body at which hinges begin, in the order of [`crate::Body::points`].
-    pub named: Vec<usize>,
 }
 
 /// The share of one hinge in the loads of the point where it begins, with the signs of an output.
@@ -145,6 +145,7 @@ impl Chain {
             accelerations: chain_accelerations(&mechanism, &motions, &dynamics),
             points: mechanism.points.iter().map(point).collect(),
             elements: mechanism.elements.clone(),
+            named_points: named_points(&mechanism, &motions, &dynamics),
             hinge_loads: hinge_loads(&mechanism, &motions, &dynamics),
             springs: mechanism.external_loads.iter().filter_map(spring).collect(),
             kinetic_energy: mechanism.kinetic_energy(&motions)
@@ -251,6 +252,15 @@ fn inboard_load(
     let outboard = mechanism.frame_motion(&joint.outboard, motions).position;
     let arm = outboard - mechanism.frame_motion(&joint.inboard, motions).position;
     (force, -(moment + arm.cross(&force)))
+}
+
+fn named_points(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<Vec<Point>> {
+    let of_body = |(body, rigid): (usize, &Rigid)| {
+        let places = 2..rigid.places.len();
+        let side = |place| Reported { side: Side::On { body, place }, share: None };
+        places.map(|place| point_at(mechanism, motions, dynamics, &side(place))).collect()
+    };
+    mechanism.bodies.iter().enumerate().map(of_body).collect()
 }
 
 fn hinge_loads(mechanism: &Mechanism, motions: &[Motion], dynamics: &Dynamics) -> Vec<HingeLoad> {

@@ -39,13 +39,18 @@ impl Chain {
             Gravity::Constant(gravity) => format!("    gravity = {} m/s^2;", self.vector(gravity)),
             Gravity::Input => "    gravity = input;".to_owned(),
         });
-        lines.extend(self.bodies().map(|body| self.body_type(body)));
+        lines.extend(self.bodies().map(|body| self.body_type(body, &Factors::default())));
         lines.extend(routes.map(|route| format!("    {route};")));
-        lines.extend(self.hinges().filter_map(text_hinge::section_of));
-        lines.extend(self.loads.iter().map(|load| self.load_section(load)));
-        lines.extend(self.springs.iter().map(|spring| self.spring_section(spring)));
+        lines.extend(self.blocks());
         lines.push("}\n".to_owned());
         lines.join("\n")
+    }
+
+    /// Returns the blocks of hinges, loads and springs.
+    pub(crate) fn blocks(&self) -> impl Iterator<Item = String> {
+        let loads = self.loads.iter().map(|load| self.load_section(load));
+        let springs = self.springs.iter().map(|spring| self.spring_section(spring));
+        self.hinges().filter_map(text_hinge::section_of).chain(loads).chain(springs)
     }
 
     /// Returns the texts of elements.
@@ -70,15 +75,17 @@ impl Chain {
         }
     }
 
-    fn body_type(&self, body: &Body) -> String {
+    /// Returns the type of a body, whose numbers are multiplied by parameters.
+    pub(crate) fn body_type(&self, body: &Body, factors: &Factors) -> String {
         let mut fields = vec![
-            format!("mass = {:?} kg", body.mass),
-            format!("com = {} m", self.vector(&body.com)),
-            format!("output = {}", self.frame(&body.output)),
+            format!("mass = {}{:?} kg", factors.size, body.mass),
+            format!("com = {} m", self.scaled_vector(&body.com, factors)),
+            format!("output = {}", self.scaled_frame(&body.output, factors)),
         ];
-        fields.extend(self.inertia(body).map(|inertia| format!("inertia = {inertia}")));
-        let point =
-            |point: &NamedPoint| format!("point {} = {}", point.name, self.frame(&point.frame));
+        fields.extend(self.inertia(body, factors).map(|inertia| format!("inertia = {inertia}")));
+        let point = |point: &NamedPoint| {
+            format!("point {} = {}", point.name, self.scaled_frame(&point.frame, factors))
+        };
         fields.extend(body.points.iter().map(point));
         let spots = self.loads.iter().map(|load| (&load.body, &load.at));
         let spots = spots.chain(self.springs.iter().map(|spring| (&spring.body, &spring.at)));
@@ -99,16 +106,21 @@ impl Chain {
         format!("    body {} {{\n{}\n    }}", camel_case(&body.name), lines.join("\n"))
     }
 
-    fn inertia(&self, body: &Body) -> Option<String> {
+    fn inertia(&self, body: &Body, Factors { side, size }: &Factors) -> Option<String> {
         let about = match body.about {
             About::Input => "input",
             About::Com => "com",
         };
         let [xx, yy, zz, xy, xz, yz] = body.inertia;
         let inertia = match self.dimension {
-            Dimension::Space if [xy, xz, yz] == [0.0; 3] => format!("diag({xx:?}, {yy:?}, {zz:?})"),
-            Dimension::Space => format!("tensor({xx:?}, {yy:?}, {zz:?}, {xy:?}, {xz:?}, {yz:?})"),
-            Dimension::Plane => format!("{zz:?}"),
+            Dimension::Space if [xy, xz, yz] == [0.0; 3] => {
+                format!("diag({size}{xx:?}, {size}{yy:?}, {size}{zz:?})")
+            }
+            Dimension::Space => format!(
+                "tensor({size}{xx:?}, {size}{yy:?}, {size}{zz:?}, {size}{side}{xy:?}, {size}{xz:?}, \
+                 {size}{side}{yz:?})"
+            ),
+            Dimension::Plane => format!("{size}{zz:?}"),
             Dimension::Line => return None,
         };
         Some(format!("{inertia} kg*m^2 about {about}"))
@@ -162,7 +174,11 @@ impl Chain {
     }
 
     fn frame(&self, frame: &Frame) -> String {
-        let position = format!("{} m", self.vector(&frame.position));
+        self.scaled_frame(frame, &Factors::default())
+    }
+
+    fn scaled_frame(&self, frame: &Frame, factors: &Factors) -> String {
+        let position = format!("{} m", self.scaled_vector(&frame.position, factors));
         let [roll, pitch, yaw] = frame.rpy_degrees;
         match self.dimension {
             _ if frame.rpy_degrees == [0.0; 3] => position,
@@ -173,12 +189,25 @@ impl Chain {
 
     /// Returns the components that the chain's dimension has.
     fn vector(&self, components: &[f64; 3]) -> String {
+        self.scaled_vector(components, &Factors::default())
+    }
+
+    fn scaled_vector(&self, [x, y, z]: &[f64; 3], Factors { side, .. }: &Factors) -> String {
         match self.dimension {
-            Dimension::Space => format!("{components:?}"),
-            Dimension::Plane => format!("{:?}", &components[..2]),
-            Dimension::Line => format!("{:?}", components[0]),
+            Dimension::Space => format!("[{x:?}, {side}{y:?}, {z:?}]"),
+            Dimension::Plane => format!("[{x:?}, {side}{y:?}]"),
+            Dimension::Line => format!("{x:?}"),
         }
     }
+}
+
+/// What the numbers of a body's type are multiplied by: empty, or a parameter and an asterisk.
+#[derive(Default)]
+pub(crate) struct Factors {
+    /// The factor of y components, and of products of inertia with y.
+    pub(crate) side: String,
+    /// The factor of the mass and of the moments of inertia.
+    pub(crate) size: String,
 }
 
 /// Returns the block of something that has a name.
@@ -201,7 +230,7 @@ pub(crate) fn source<T>(
 }
 
 /// Returns a snake_case name in CamelCase.
-fn camel_case(name: &str) -> String {
+pub(crate) fn camel_case(name: &str) -> String {
     let capitalised = |word: &str| {
         let mut letters = word.chars();
         letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
