@@ -31,13 +31,20 @@ pub fn points<S: Judge>(chain: &Chain, compiled: &Compiled, full: &Arrays<S>) ->
     all
 }
 
-/// Returns the points of all elements in inertial axes, in the order of the chain written out: of each element its input, its
-/// output, and the named points at which hinges begin.
+/// The points of an element in inertial axes.
+pub struct OfElement<S> {
+    pub input: Vec<S>,
+    pub output: Vec<S>,
+    /// The named points of a body at which hinges begin, by their index in the body.
+    pub named: Vec<(usize, Vec<S>)>,
+}
+
+/// Returns the points of all elements, in the order of the chain written out.
 pub fn element_points<S: Judge>(
     chain: &Chain,
     compiled: &Compiled,
     full: &Arrays<S>,
-) -> Vec<Vec<S>> {
+) -> Vec<OfElement<S>> {
     let storage = &compiled.point_storage;
     let reader = Reader {
         chain,
@@ -66,16 +73,20 @@ pub fn element_points<S: Judge>(
         for repetition in 0..count {
             for &index in segment {
                 let ElementPoints { input, previous, output } = storage.of.elements[index];
-                all.push(match previous {
+                let input = match previous {
                     Some(previous) if repetition > 0 => point(previous, own, repetition - 1),
                     _ => point(input, own, repetition),
-                });
-                all.push(point(output, own, repetition));
+                };
+                let output = point(output, own, repetition);
+                let mut named = Vec::new();
                 if let Element::Body(body) = chain.elements[index] {
-                    let named = 0..chain.bodies[body].points.len();
-                    let joined = named.filter_map(|point| storage.of.joined.get(&(body, point)));
-                    all.extend(joined.map(|&id| point(id, own, repetition)));
+                    for number in 0..chain.bodies[body].points.len() {
+                        if let Some(&id) = storage.of.joined.get(&(body, number)) {
+                            named.push((number, point(id, own, repetition)));
+                        }
+                    }
                 }
+                all.push(OfElement { input, output, named });
             }
         }
     }
