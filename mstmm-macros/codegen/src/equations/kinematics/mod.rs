@@ -23,12 +23,13 @@ pub use hinge_kinematics::{BiasAcceleration, HingeKinematics, hinge_kinematics};
 pub use pose::{Pose, poses};
 pub use rigid_inertia::RigidInertia;
 
+use super::hinge::BasisVector;
 use super::strategy::Axes;
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
-use crate::model::{Attachment, Chain, Hinge, Link, MovesWith};
+use crate::model::{Attachment, Chain, Dimension, Hinge, Link, MovesWith};
 
 /// The kinematics of a link, in its work axes unless another frame is named.
 #[derive(Clone, Debug)]
@@ -83,6 +84,18 @@ impl<S: Scalar> LinkKinematics<S> {
     /// Returns the kinematics of the link's part.
     pub fn part(&self) -> PartKinematics<S> {
         PartKinematics { part_to_work: self.part_to_work, point: self.point, omega: self.omega }
+    }
+
+    /// Whether the link is a free base: it can move in all directions of the dimension relative to
+    /// the ground, without any effort.
+    pub fn is_free(&self, dimension: Dimension) -> bool {
+        let LinkKinematics { hinge, parent, .. } = self;
+        let directions = dimension.translations().len() + dimension.rotations().len();
+        let is_axis = |column: &BasisVector<S>| matches!(column, BasisVector::Axis(_));
+        parent.is_none()
+            && hinge.basis.columns.len() == directions
+            && hinge.basis.columns.iter().all(is_axis)
+            && hinge.basis.armature.iter().chain(&hinge.efforts).all(|value| value.vanishes())
     }
 
     /// Returns the spatial inertia of the link about its point.

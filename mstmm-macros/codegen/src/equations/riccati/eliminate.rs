@@ -9,6 +9,8 @@ use crate::math::{Scalar, SpatialInertia, Wrench};
 /// A degree of freedom of a hinge.
 #[derive(Clone, Copy)]
 pub struct HingeDof<S> {
+    /// Its index in the basis of the motion subspace.
+    pub column: usize,
     /// Its direction `s`.
     pub direction: BasisVector<S>,
     /// Its effort `τ`.
@@ -52,6 +54,22 @@ pub fn eliminate<S: Scalar>(
     dofs.iter().enumerate().map(&mut eliminate_next).collect()
 }
 
+/// Returns the degrees of freedom of a free base, those first on which no child acts: the entries of
+/// `Iᴬ` along them are those of the base's own `inertia`, which are constant.
+pub fn constant_first<S: Scalar>(
+    dofs: Vec<HingeDof<S>>,
+    body: &ArticulatedBody<S>,
+    inertia: &SpatialInertia<S>,
+) -> Vec<HingeDof<S>> {
+    let is_constant = |dof: &HingeDof<S>| {
+        let equal = |i: usize, j: usize| (body.inertia.at(i, j) - inertia.at(i, j)).vanishes();
+        dof.axis().is_some_and(|axis| (0..6).all(|k| equal(axis, k)))
+    };
+    let (mut constant, others): (Vec<_>, Vec<_>) = dofs.into_iter().partition(is_constant);
+    constant.extend(others);
+    constant
+}
+
 /// Eliminates one degree of freedom by equations (1), (2) and (4). For the last one, equation (6)
 /// uses `first`: the degree of freedom before it, with `Iᴬ` before its elimination.
 fn eliminate_one<S: Scalar>(
@@ -59,7 +77,7 @@ fn eliminate_one<S: Scalar>(
     dof: &HingeDof<S>,
     first: Option<&(HingeDof<S>, SpatialInertia<S>)>,
 ) -> EliminatedDof<S> {
-    let &HingeDof { direction, effort, armature } = dof;
+    let &HingeDof { column, direction, effort, armature } = dof;
     let s = direction.motion();
     let (old, bias) = (body.inertia, body.bias_force);
     let u = old.times(s);
@@ -84,7 +102,18 @@ fn eliminate_one<S: Scalar>(
         Wrench::from_fn(|k| if is_along(k) { effort } else { bias.at(k) + u.at(k) * u_over_d });
     let (t, t_scales) = body.eliminate_constraints(dof, gain);
     let t_over_d = t.iter().map(|&t| t * inverse).collect();
-    EliminatedDof { direction, pivot, inverse, gain, u_over_d, t, t_over_d, t_scales, waiting_axis }
+    EliminatedDof {
+        column,
+        direction,
+        pivot,
+        inverse,
+        gain,
+        u_over_d,
+        t,
+        t_over_d,
+        t_scales,
+        waiting_axis,
+    }
 }
 
 impl<S: Scalar> ArticulatedBody<S> {
@@ -144,7 +173,7 @@ pub mod tests {
         let mut body = articulated_body();
         let dof = |(k, effort): (usize, f64)| {
             let (effort, armature) = (some(effort), Structured::zero());
-            HingeDof { direction: BasisVector::Axis(3 + k), effort, armature }
+            HingeDof { column: k, direction: BasisVector::Axis(3 + k), effort, armature }
         };
         let dofs = [0.25, -0.5, 0.125].into_iter().enumerate().map(dof);
         let dofs: Vec<HingeDof<Structured<f64>>> = dofs.collect();

@@ -5,6 +5,8 @@ use crate::math::{Scalar, Wrench};
 
 /// An eliminated degree of freedom; the letters are those of [`super`].
 pub struct EliminatedDof<S> {
+    /// Its index in the basis of the motion subspace.
+    pub column: usize,
     /// Its direction `s`.
     pub direction: BasisVector<S>,
     /// The pivot `D`.

@@ -5,7 +5,7 @@ use super::super::motion_problem::{AffineWrench, MotionProblem};
 use super::super::sweep::PerLink;
 use super::super::{HingePivot, Trace, strategy};
 use super::articulated_body::ArticulatedBody;
-use super::eliminate::{HingeDof, eliminate};
+use super::eliminate::{HingeDof, constant_first, eliminate};
 use super::eliminated_dof::EliminatedDof;
 use super::loop_sums::LoopSums;
 use crate::ids::LinkId;
@@ -37,7 +37,10 @@ pub fn sweep_inward<S: Scalar>(problem: &MotionProblem<S>, trace: &mut Trace<S>)
         for (number, &wrench) in body.constraint_wrenches.iter().enumerate() {
             trace.wrench(&format!("{}_constraint{number}", hinge.name), wrench);
         }
-        let dofs = dofs(hinge, &problem.efforts[link]);
+        let mut dofs = dofs(hinge, &problem.efforts[link]);
+        if problem.links[link].is_free(problem.dimension) {
+            dofs = constant_first(dofs, &body, &problem.inertia(link));
+        }
         let steps = eliminate(&mut body, &dofs);
         if let Some(sums) = &mut body.loop_sums {
             sums.add_dofs(&steps, problem.tree.is_repeated(link));
@@ -99,10 +102,14 @@ fn own_bodies<S: Scalar>(problem: &MotionProblem<S>) -> PerLink<ArticulatedBody<
 /// Returns the degrees of freedom of a hinge.
 fn dofs<S: Scalar>(hinge: &HingeKinematics<S>, efforts: &[S]) -> Vec<HingeDof<S>> {
     let given = efforts.iter().zip(&hinge.basis.armature);
-    let columns = hinge.basis.columns.iter().zip(given);
-    columns
-        .map(|(&direction, (&effort, &armature))| HingeDof { direction, effort, armature })
-        .collect()
+    let columns = hinge.basis.columns.iter().zip(given).enumerate();
+    let dof = |(column, (&direction, (&effort, &armature)))| HingeDof {
+        column,
+        direction,
+        effort,
+        armature,
+    };
+    columns.map(dof).collect()
 }
 
 /// Returns the pivots of a link's hinge.

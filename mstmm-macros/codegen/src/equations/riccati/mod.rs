@@ -31,6 +31,10 @@
 //! and `sᵀ pᴬ = τ`. If `s` is an axis, both are set exactly, and of each pair of symmetric entries
 //! of `Iᴬ` only one is stored. Otherwise chains of balls would lose all digits.
 //!
+//! The axes of a free base are eliminated in any order. Those on which no child acts come first: their
+//! entries of `Iᴬ` are those of the base itself, and (2) is then constant in part. A child on a ball
+//! acts on no rotation, if the point of the base is at the ball.
+//!
 //! A loop hinge acts on its inboard link with unknown constraint forces, `F = Iᴬ a + pᴬ + Tᴬ λ`,
 //! and prescribes `Tᵀ a` of that link. The same sweep propagates both to the ground:
 //!

@@ -42,12 +42,12 @@ fn advance<S: Scalar>(
     steps: &[EliminatedDof<S>],
     armatures: &[S],
 ) -> (Vec<S>, Motion<S>) {
-    let mut rates = Vec::new();
-    for (step, armature) in steps.iter().zip(armatures).rev() {
+    let mut rates = vec![S::zero(); steps.len()];
+    for step in steps.iter().rev() {
         let before = acceleration;
         let rate = match step.direction {
             // The new component follows without the old one, which only affects `v̇`.
-            BasisVector::Axis(axis) if armature.vanishes() => {
+            BasisVector::Axis(axis) if armatures[step.column].vanishes() => {
                 let new = step.u_over_d - before.power(step.gain_without(axis));
                 acceleration = before.with_entry(axis, new);
                 new - before.at(axis)
@@ -58,7 +58,7 @@ fn advance<S: Scalar>(
                 rate
             }
         };
-        rates.insert(0, rate);
+        rates[step.column] = rate;
     }
     (rates, acceleration)
 }
@@ -98,6 +98,7 @@ mod tests {
             .iter()
             .enumerate()
             .map(|(number, &axis)| HingeDof {
+                column: number,
                 direction: BasisVector::Axis(axis),
                 effort: some(0.25 - 0.375 * number as f64),
                 armature: rotor(number),
