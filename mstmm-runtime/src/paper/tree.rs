@@ -37,7 +37,7 @@
 //!
 //! For L arms of pins on a free body, this overall equation has 7 L rows and 7 L unknowns, whatever
 //! the length of the arms. If the arms branch again, each further body with several inputs adds its
-//! geometric equations and the Θ̈ of its pins.
+//! geometric equations, the Θ̈ of the pins at its inputs, and the condition of the pin at its output.
 //!
 //! # Limits
 //!
@@ -48,11 +48,11 @@
 //!
 //! | bodies of each arm | 1 | 3 | 5 | 8 | 12 | 16 |
 //! |---|---|---|---|---|---|---|
-//! | this module | 3e-15 | 2e-12 | 2e-10 | 2e-7 | 8e-4 | lost |
+//! | overall equation | 3e-15 | 2e-12 | 2e-10 | 2e-7 | 8e-4 | lost |
 //! | the same elements, null space of each condition | 8e-16 | 1e-15 | 3e-15 | 3e-15 | 1e-14 | 1e-14 |
 //! | Riccati's method, as in `mstmm_chain!` | 8e-16 | 9e-16 | 5e-15 | 7e-15 | 9e-15 | 1e-14 |
 //!
-//! The second row does not use the matrices (43). Each condition at a pin or at the body with several
+//! The second row does without the matrices (43). Each condition at a pin or at the body with several
 //! inputs removes one unknown by a Householder reflection, so no condition is solved for one of the
 //! unknowns. This needs a reflection for each condition, and is not more accurate than Riccati's
 //! method, which needs no overall equation. `method = transfer` is therefore for chains only.

@@ -22,13 +22,16 @@ pub const ARMS: usize = 3;
 /// The number of unknowns: six at each tip, and Θ̈ of each pin at the hub.
 const UNKNOWNS: usize = 7 * ARMS;
 
+/// A body of an arm, with the axis of the pin at its input.
+type Link = (Body<f64>, Vector3<f64>);
+
 /// A free hub with arms of equal length. The input of each body is at the side of the hub.
 pub struct Tree {
     pub hub: Body<f64>,
     /// The first points of the arms, in the hub's frame.
     pub places: [Vector3<f64>; ARMS],
-    /// The bodies of each arm from the hub on, each with the axis of the pin at its input.
-    pub arms: [Vec<(Body<f64>, Vector3<f64>)>; ARMS],
+    /// The bodies of each arm from the hub on.
+    pub arms: [Vec<Link>; ARMS],
 }
 
 /// A connection point in motion.
@@ -95,7 +98,7 @@ impl Tree {
             frame: Frame::at((*place).into()),
         };
         hub.points = self.places.iter().enumerate().map(point).collect();
-        let route = |(arm, bodies): (usize, &Vec<(Body<f64>, Vector3<f64>)>)| {
+        let route = |(arm, bodies): (usize, &Vec<Link>)| {
             let elements = bodies.iter().enumerate().flat_map(|(k, (body, axis))| {
                 let name = |letter: &str| format!("{letter}{arm}_{k}");
                 let kind = HingeKind::Pin { axis: (*axis).into() };
