@@ -291,12 +291,13 @@ impl<'a, S: Scalar> Springs<'a, S> {
         }
     }
 
-    /// Returns the force on the end that the motion is of, `−(k (l − l₀) + c l̇) r / l`.
+    /// Returns `−(k (l − l₀) + c l̇) r / l`: the force on the end `on`, for a reversed spring on the end
+    /// `to`.
     fn force(&self, spring: &Spring, motion: &SpringMotion<S>) -> Vec3<S> {
         -(motion.displacement * self.tension_per_length(spring, motion))
     }
 
-    /// Returns the tension divided by the length, times `r` finite for a spring of length zero.
+    /// Returns the tension divided by the length. Its product with `r` is zero if the length is zero.
     fn tension_per_length(&self, spring: &Spring, motion: &SpringMotion<S>) -> S {
         let values = self.context.values;
         let &SpringMotion { displacement, velocity } = motion;
@@ -340,7 +341,7 @@ fn inverse_length<S: Scalar>(displacement: Vec3<S>) -> S {
     regular_length(displacement).recip()
 }
 
-/// Returns `|r|`, kept from zero by a length far below any that matters.
+/// Returns `|r|`, at least 1e-15 m.
 fn regular_length<S: Scalar>(displacement: Vec3<S>) -> S {
     (displacement.dot(displacement) + S::number(1e-30)).sqrt()
 }
