@@ -1,6 +1,7 @@
 //! A repeated part is the same as its contents written out in a row.
 
 mod repeat {
+    mod branches;
     mod closed;
     mod counts;
     mod flat;
@@ -12,6 +13,7 @@ mod repeat {
     mod parameters;
     mod places;
     mod redundant;
+    mod shares;
     mod twins;
 }
 mod support;
