@@ -25,7 +25,7 @@ mstmm::mstmm_chain! {
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
         }
         ground -> pin a -> Rod crank -> pin b -> Rod bar;
-        bar -> pin c -> crank;
+        bar.output -> pin c -> Rod lever -> pin d -> ground at [1, 0, 0] m;
     }
     chain D {
         body Rod {

@@ -1,14 +1,14 @@
 //! Whatever is written, the answer is a chain or a list of errors, never a panic.
 
 use super::{PENDULUM, read};
-use crate::model::Chain;
+use crate::model::{Chain, SpringEnd};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// What a slip of the keyboard may leave behind, and what no one would write.
 const SLIPS: &[&str] = &[
     "", ";", "->", "-", ",", "=", "::", "^", "*", "/", "#", "'a", "0", "1e999", "2kg", "\"text\"",
     "x", "X", "Self", "_", "r#x", "ground", "moving", "repeat", "turned", "about", "point",
-    "input", "load", "( )", "[1]", "{ }",
+    "input", "load", "( )", "[1]", "{ }", ".", "last", "from", "part", "Leg", "rung.tip",
 ];
 
 /// All streams in which one token is replaced.
@@ -63,9 +63,37 @@ const FLAT: &str = "
         load push { on = next; at = hook; force = 3; }
     }";
 
+/// A tree.
+const TREE: &str = "
+    chain Tree {
+        param K = 3;
+        body Rod {
+            mass = 1 kg; com = [1, 0, 0] m; output = [2, 0, 0] m;
+            inertia = diag(1, 1, 1) kg*m^2 about com;
+            point tip = [1, 1, 0] m turned rpy(0, 0, 90) deg;
+        }
+        part Leg(side, front) {
+            body Hip { mass = 1 kg; com = [0, side, 0] m; output = [0, 0, front] m; inertia = diag(1, 1, 1) about com; }
+            pin([side, 0, 0]) a -> Hip hip -> Foot(2*side) foot;
+            hip.output -> weld w -> Rod plate;
+            hinge a { start = front*0.1 rad; }
+            load push { on = hip.com; force = input; }
+        }
+        part Foot(size) { pin b -> Rod heel; heel.tip -> pin c -> Rod toe; hinge b { start = size; } }
+        Rod trunk -> repeat 3 from rung.tip = trunk.tip {
+            ball d -> Rod link; link.tip -> pin e -> Rod rung; last.rung.tip -> pin f -> Rod knob
+        } -> weld g -> Rod neck;
+        trunk.tip -> Leg(1, -1) lf -> weld h -> Rod claw;
+        moving hand -> Leg(-1, 2*K) rf;
+        hinge lf.a, rf.foot.b { torque = input; }
+        body trunk { start = [0, 0, 1] m; }
+        spring s { on = lf.hip; to = trunk.tip; stiffness = 1; }
+        spring r { on = rung; to = last.rung.tip; stiffness = 1; }
+    }";
+
 #[test]
 fn one_token_replaced_by_anything() {
-    for source in [PENDULUM, MORE, FLAT] {
+    for source in [PENDULUM, MORE, FLAT, TREE] {
         read(source.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
         replace_each(source);
     }
@@ -76,6 +104,11 @@ fn is_closed(chain: &Chain) -> bool {
     let bodies = chain.bodies.len();
     let on_bodies = chain.loads.iter().map(|load| load.body);
     let on_bodies = on_bodies.chain(chain.springs.iter().map(|spring| spring.on.body));
+    let on_bodies = on_bodies.chain(chain.springs.iter().flat_map(|spring| match &spring.to {
+        SpringEnd::Ground(_) => vec![],
+        SpringEnd::Body(point) => vec![point.body],
+        SpringEnd::Previous { point, first } => vec![point.body, first.body],
+    }));
     let places = chain.hinges.iter().flat_map(|hinge| [&hinge.inboard, &hinge.outboard]);
     on_bodies.chain(places.filter_map(|place| place.body())).all(|body| body.index() < bodies)
         && chain.repeats.iter().all(|repeat| {

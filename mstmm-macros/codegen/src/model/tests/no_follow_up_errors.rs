@@ -215,3 +215,46 @@ fn numbers_of_an_unknown_dimension_are_not_judged() {
     expect_all(&chain("flat"), &[("flat", unknown)]);
     expect_all(&chain("7"), &[("7", unknown)]);
 }
+
+#[test]
+fn names_on_unreadable_routes_and_in_parts_are_known() {
+    let rest = "hinge lf.a, c { start = 1; } load l { on = lf.b; force = input; } \
+                spring s { on = lf.b; to = x.output; stiffness = 1; }";
+    let part = "part Leg { pin a -> Rod b; }";
+    let expect = |routes: &str, error: (&str, &str)| {
+        expect_rods(&format!("{part} {routes} {rest}"), &[error]);
+    };
+    expect(
+        "ground -> pin j -> Rod x; x.output -> Leg lf -> pin c Rod y;",
+        ("Rod", "expected `->` or `;`, found `Rod`"),
+    );
+    expect(
+        "ground -> pin j -> Rod x; x.output Leg lf -> pin c -> Rod y;",
+        ("Leg", "expected `->`, found `Leg`"),
+    );
+    expect(
+        "ground -> pin j -> Rod x; x.output -> Leg lf; x.output -> pin c -> 7;",
+        ("7", "expected a hinge, a body or `ground`, found `7`"),
+    );
+    expect(
+        "ground -> pin j -> Rod x -> repeat 3 { pin c -> Rod u pin d -> Rod w }; x.output -> Leg lf;",
+        ("pin", "expected `->`, `;` or `}`, found `pin`"),
+    );
+    expect_rods(
+        "part Leg(x) { pin a -> Rod b; hinge a { start = x; } } \
+         ground -> pin j -> Rod x; x.output -> Leg() lf; hinge lf.a { start_rate = 1; }",
+        &[("()", "`Leg` takes 1 number, x; found 0")],
+    );
+    expect_rods(
+        "part Leg { pin a -> Rod b } ground -> Leg lf; hinge lf.a { start = 1; }",
+        &[("b", "expected `;` after this")],
+    );
+    // What an unreadable part has is not known.
+    expect_rods(
+        "part Leg { pin a -> Rod b; 7; } ground -> Leg lf; hinge lf.c { start = k; }",
+        &[
+            ("7", "expected an item, found `7`"),
+            ("lf.c", "no hinge `lf.c` on a route; did you mean `lf.a`?"),
+        ],
+    );
+}

@@ -4,7 +4,7 @@ use super::trees::{ROD, joints, rods};
 use super::{chain, known};
 use crate::model::Chain;
 
-/// A leg with a type of its own, whose mass is the first parameter and whose side is the second one.
+/// A leg with a separate type, whose mass is the first parameter and whose side is the second one.
 const LEG: &str = "part Leg(heavy, side) {
         body Hip {
             mass = heavy; com = [0, side*0.1, 0] m; output = [0, side*20, 0] cm;

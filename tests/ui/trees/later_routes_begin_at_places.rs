@@ -5,9 +5,10 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod crank -> pin b -> Rod bar;
-        crank -> pin c -> Rod lever;
+        ground -> pin a -> Rod one;
+        one -> pin b -> Rod two;
     }
     chain B {
         body Rod {
@@ -15,8 +16,10 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod crank -> pin b -> Rod left, pin c -> Rod right;
+        ground -> pin a -> Rod one;
+        pin b -> Rod two;
     }
     chain C {
         body Rod {
@@ -24,8 +27,10 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod crank -> { pin b -> Rod left, pin c -> Rod right };
+        ground -> pin a -> Rod one;
+        Rod two -> pin b -> Rod three;
     }
     chain D {
         body Rod {
@@ -33,9 +38,10 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        Rod hub -> pin b -> Rod left;
-        Rod hub -> pin c -> Rod right;
+        ground -> pin a -> Rod one;
+        a -> pin b -> Rod two;
     }
     chain E {
         body Rod {
@@ -43,9 +49,11 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod crank;
-        branch { crank -> pin b -> Rod bar }
+        part Leg { pin a -> Rod thigh; }
+        ground -> Leg leg;
+        leg -> pin b -> Rod two;
     }
 }
 

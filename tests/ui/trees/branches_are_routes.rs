@@ -5,9 +5,9 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod one;
-        ground -> pin b -> Rod two;
+        ground -> pin a -> Rod crank -> pin b -> Rod left, pin c -> Rod right;
     }
     chain B {
         body Rod {
@@ -15,9 +15,9 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod one;
-        one -> pin b -> Rod two;
+        ground -> pin a -> Rod crank -> { pin b -> Rod left, pin c -> Rod right };
     }
     chain C {
         body Rod {
@@ -25,9 +25,10 @@ mstmm::mstmm_chain! {
             com = [0.5, 0, 0] m;
             output = [1, 0, 0] m;
             inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
         }
-        ground -> pin a -> Rod one;
-        pin b -> Rod two;
+        ground -> pin a -> Rod crank;
+        branch { crank -> pin b -> Rod bar }
     }
 }
 

@@ -1,0 +1,28 @@
+mstmm::mstmm_chain! {
+    chain A {
+        body Rod {
+            mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            output = [1, 0, 0] m;
+            inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
+        }
+        method = transfer;
+        ground -> pin a -> Rod one;
+        one.tip -> pin b -> Rod two;
+    }
+    chain B {
+        body Rod {
+            mass = 2 kg;
+            com = [0.5, 0, 0] m;
+            output = [1, 0, 0] m;
+            inertia = diag(0.01, 1/6, 1/6) kg*m^2 about com;
+            point tip = [1, 1, 0] m;
+        }
+        method = transfer;
+        ground -> pin a -> Rod one;
+        ground -> pin b -> Rod two;
+    }
+}
+
+fn main() {}
