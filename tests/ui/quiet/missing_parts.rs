@@ -29,6 +29,22 @@ mstmm_chain! {
         hinge c { torque = input; }
     }
 
+    chain Tree {
+        body Rod { mass = 1 kg; com = [1, 0, 0] m; output = [1, 0, 0] m; inertia = diag(1, 1, 1) about com; }
+        part Leg(side) {
+            body Hip {
+                mass = 1 kg; com = [0, 0, 0] m; output = [side, 0, 0] m; inertia = diag(1, 1, 1) about com;
+                point toe = [0, 0, 0] m;
+            }
+            pin a -> Hip hip -> ball b -> Rod rod;
+            load push { on = rod; force = input; }
+        }
+        Rod trunk;
+        trunk.output -> Leg(1, 2) left;
+        trunk.top -> Leg(-1) right;
+        hinge left.a { torque = input; }
+    }
+
     chian Named {
         body Rod { mass = 1 kg; com = [1, 0, 0] m; output = [1, 0, 0] m; inertia = diag(1, 1, 1) about com; }
         ground -> pin -> Rod one -> ball b -> Rod two;
@@ -54,6 +70,12 @@ fn main() {
         b: [0.0; 3].into(),
         push_force: [0.0; 3].into(),
     };
+
+    let tree = Tree::<f64>::new();
+    let _ = (tree.initial_state().left_a().angle(), tree.initial_state().right_b().rate());
+    let hip: TreeLegHipResult<f64> = tree.workspace().right_hip();
+    let _ = (hip.toe().position(), tree.workspace().trunk().output().position());
+    let _ = TreeInputs::<f64> { left_a: 0.0, left_push_force: [0.0; 3].into() };
 
     let branch = Branch::<f64>::new();
     let _ = (branch.initial_state().c().rate(), branch.workspace().left().input(), branch.workspace().right());

@@ -44,7 +44,7 @@ pub(super) fn part(
     input: &mut Cursor,
     diagnostics: &mut Diagnostics,
 ) -> Result<PartSyntax> {
-    let name = input.ident().ok_or_else(|| input.unexpected("the name of the part"))?;
+    let name = input.ident().ok_or_else(|| input.unexpected("a name"))?;
     let parameters = match input.group(Delimiter::Parenthesis) {
         Some((inside, _)) => parameters(inside)?,
         None => Vec::new(),

@@ -139,17 +139,17 @@ fn a_spring_is_between_two_points() {
     let expect_spring = |fields: &str, at: &str, message: &str| {
         expect_rods(&format!("{TRUNK}; spring s {{ {fields} stiffness = 1; }}"), &[(at, message)]);
     };
-    let ends = "a spring is between two bodies with `on = a.point; to = b.point;`";
+    let ends = "a spring is between two bodies …";
     expect_spring("on = [crank, bar];", "bar", ends);
-    expect_spring("on = crank; to = bar;", "bar", "name the place on `bar`: `to = bar.output`");
+    expect_spring("on = crank; to = bar;", "bar", "name the place on `bar`: `to …");
     for to in ["bar at tip", "bar at [1, 0, 0] m"] {
-        let message = "write a point after the body, as in `to = bar.point;`";
+        let message = "write a point after the body, …";
         expect_spring(&format!("on = crank; to = {to};"), to, message);
     }
     expect_spring(
         "on = crank at tip; to = bar.output;",
         "crank at tip",
-        "write a point after the body, as in `on = crank.point;`",
+        "write a point after the body, …",
     );
     expect_spring("on = crank; to = ground;", "ground", "write the point on the ground: …");
     let ground = "the ground is fixed: name a body on a route";
@@ -160,7 +160,7 @@ fn a_spring_is_between_two_points() {
     expect_spring(
         "on = bar.output; at = input; to = crank.input;",
         "at",
-        "`on` has a point already: remove `at`, or name only the body in `on`",
+        "`on` has a point already: remove …",
     );
     expect_spring(
         "on = bar.output; to = bar.input;",

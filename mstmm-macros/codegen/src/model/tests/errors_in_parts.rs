@@ -38,6 +38,8 @@ fn a_missing_semicolon_costs_no_field() {
 fn vectors_have_three_components() {
     let point = "expected a vector …, found `rod.tip`";
     expect("output = [1, 0, 0] m", "output = rod.tip", &[("rod.tip", point)]);
+    let point = "expected a vector …, found a point of `rod`";
+    expect("output = [1, 0, 0] m", "output = rod at tip", &[("rod at tip", point)]);
     expect(
         "output = [1, 0, 0] m",
         "output = 1 m",

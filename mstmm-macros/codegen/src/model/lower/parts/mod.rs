@@ -174,12 +174,14 @@ pub(in crate::model) fn write_out<'a>(
     writer.write_chain();
     let mut written = writer.written;
     written.unused_parts = unused_parts;
-    let complete = written.scopes.iter().filter_map(|scope| scope.part);
-    written.complete &= def.content.complete && complete.clone().all(|part| part.content.complete);
-    written.routes_are_complete &= std::iter::once(&def.content)
-        .chain(complete.map(|part| &part.content))
-        .flat_map(|content| &content.routes)
-        .all(RouteSyntax::is_complete);
+    let parts: Vec<&PartSyntax> = written.scopes.iter().filter_map(|scope| scope.part).collect();
+    let parts_are_complete = parts.iter().all(|part| part.content.complete);
+    written.complete &= def.content.complete && parts_are_complete;
+    // What is not readable in a part may be a route.
+    written.routes_are_complete &= parts_are_complete;
+    let contents = parts.iter().map(|part| &part.content).chain([&def.content]);
+    let mut routes = contents.flat_map(|content| &content.routes);
+    written.routes_are_complete &= routes.all(RouteSyntax::is_complete);
     written
 }
 

@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
+use syn::ext::IdentExt;
 
 use super::arguments::substitution;
 use super::definitions::has_repeat;
@@ -208,7 +209,7 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
             part: Some(part),
             parent: open.scope,
             prefix: format!("{}.", item_name.path),
-            joined_prefix: format!("{}_", item_name.joined),
+            joined_prefix: format!("{}_", item_name.joined.unraw()),
             depth: outer.depth + 1,
             is_named: set.name.is_some(),
             name: Some(item_name),
