@@ -1,7 +1,7 @@
 //! The chains that are timed, their states, and common items.
 //!
 //! The letters are those of `benches/README.md`: A rods on parallel pins, B cubes on balls, C cubes on
-//! crossed pins, D an arm.
+//! crossed pins, D an arm. Robots that branch have their names.
 
 mod lanes;
 mod models;
@@ -11,7 +11,8 @@ use mstmm::{Error, GeneratedChain};
 
 pub use lanes::Lanes;
 pub use models::{
-    Balls3, Balls10, Balls100, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000, with_z,
+    Balls3, Balls10, Balls100, G1, Hyq, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
+    with_z,
 };
 pub use states::{
     numbers_of_state, random_angles, random_states, samples, samples_from, state_from,
@@ -19,8 +20,13 @@ pub use states::{
 
 /// A chain that is timed. Every hinge has a motor.
 pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
-    /// Its letter and the number of its hinges.
+    /// Its letter and the number of its hinges, or the name of the robot.
     const NAME: &'static str;
+
+    /// Returns the chain that is timed: no other tool has dampers.
+    fn undamped() -> Self {
+        Self::default()
+    }
 
     /// Computes only the accelerations, into the rates of `rate`.
     ///
@@ -51,7 +57,7 @@ pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {
     }
 }
 
-/// Calls a macro with the types of all cases.
+/// Calls a macro with the types of all cases except the robots that branch.
 #[macro_export]
 macro_rules! with_cases {
     ($call:ident) => {

@@ -9,7 +9,11 @@ use crate::{Case, Lanes};
 /// The seed of all states.
 const SEED: u64 = 0x6d73_746d_6d20_3031;
 
-/// Largest rate in rad/s and largest torque in N m.
+/// The rates of a floating base.
+pub(crate) const FLOATING: usize = 6;
+
+/// Largest components of a position in m, of a rate in rad/s or m/s and of a torque in N m.
+const LARGEST_POSITION: f64 = 1.0;
 const LARGEST_RATE: f64 = 2.0;
 const LARGEST_TORQUE: f64 = 5.0;
 
@@ -39,7 +43,7 @@ pub fn numbers_of_state<S: ChainState + Default>() -> usize {
 }
 
 /// Returns a number of states, one after the other: coordinates, rates and torques of all hinges, which
-/// are either pins or balls.
+/// are either pins or balls, or pins on a floating base, which comes first and has no effort.
 ///
 /// Angles and orientations are uniformly distributed, so that no branch can be predicted.
 pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
@@ -48,14 +52,21 @@ pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
     let mut random = Random(SEED);
     let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
     for _ in 0..count {
-        // The orientation of a ball has four numbers, its rate three.
-        if coordinates == rates {
-            numbers.extend((0..coordinates).map(|_| random.within(PI)));
-        } else {
-            numbers.extend((0..coordinates / 4).flat_map(|_| random.orientation()));
+        // An orientation has four numbers, its rate three.
+        let (base, pins, balls) = match coordinates - rates {
+            0 => (0, coordinates, 0),
+            1 => (FLOATING, rates - FLOATING, 0),
+            balls => (0, 0, balls),
+        };
+        if base > 0 {
+            numbers.extend([(); 3].map(|()| random.within(LARGEST_POSITION)));
+            numbers.extend(random.orientation());
         }
+        numbers.extend((0..pins).map(|_| random.within(PI)));
+        numbers.extend((0..balls).flat_map(|_| random.orientation()));
         numbers.extend((0..rates).map(|_| random.within(LARGEST_RATE)));
-        numbers.extend((0..rates).map(|_| random.within(LARGEST_TORQUE)));
+        numbers.extend((0..base).map(|_| 0.0));
+        numbers.extend((base..rates).map(|_| random.within(LARGEST_TORQUE)));
     }
     numbers
 }

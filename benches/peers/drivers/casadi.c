@@ -55,8 +55,12 @@ static inline void sines_and_cosines(const real *angles, real *sines, real *cosi
 static inline void accelerations(const real *q, const real *v, const real *torques, real *result) {
 #if PINS > 0
     real sines[PINS], cosines[PINS];
-    sines_and_cosines(q, sines, cosines);
+    sines_and_cosines(q + BASE, sines, cosines);
+#if BASE > 0
+    core(q, sines, cosines, v, torques, result);
+#else
     core(sines, cosines, v, torques, result);
+#endif
 #else
     core(q, v, torques, result);
 #endif

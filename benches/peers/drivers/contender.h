@@ -26,6 +26,13 @@ static size_t state_numbers, result_numbers;
 static void evaluate(const double *state, double *result);
 #endif
 
+// Converts a state after it is read, and a result before it is written. May be macros; not with several
+// lanes.
+#ifndef PREPARE
+#define PREPARE(state) (void)(state)
+#define FINISH(state, result) (void)(result)
+#endif
+
 static void fail(const char *message) {
     fprintf(stderr, "%s\n", message);
     exit(1);
@@ -64,6 +71,7 @@ static struct states read_states(const char *path) {
             all[(state / LANES * state_numbers + i) * LANES + state % LANES] =
                 read[state * state_numbers + i];
     free(read);
+    for (size_t state = 0; state < count; state++) PREPARE(all + state * state_numbers);
     struct states states = {all, count / LANES};
     return states;
 }
@@ -72,7 +80,9 @@ static void write_results(const char *path, struct states states, double *result
     FILE *file = fopen(path, "wb");
     if (!file) fail("cannot write the results");
     for (size_t group = 0; group < states.groups; group++) {
-        EVALUATE(states.all + group * state_numbers * LANES, result);
+        const double *state = states.all + group * state_numbers * LANES;
+        EVALUATE(state, result);
+        FINISH(state, result);
         for (size_t lane = 0; lane < LANES; lane++)
             for (size_t i = 0; i < result_numbers; i++)
                 fwrite(result + i * LANES + lane, sizeof(double), 1, file);

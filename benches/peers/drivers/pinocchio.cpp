@@ -1,4 +1,4 @@
-// Pinocchio's articulated-body algorithm on a model of any chain:
+// Pinocchio's articulated-body algorithm on a model of any chain or tree:
 //
 //     contender MODEL WHAT STATES RESULTS MILLISECONDS
 //
@@ -13,6 +13,11 @@
 
 #define EVALUATE evaluate
 static void (*evaluate)(const double *state, double *result);
+// Pinocchio has other coordinates, rates and accelerations of balls and floating bases.
+#define PREPARE prepare
+#define FINISH finish
+static void prepare(double *state);
+static void finish(const double *state, double *result);
 #include "contender.h"
 
 namespace pin = pinocchio;
@@ -29,13 +34,13 @@ static void read_model(const char *path) {
     Eigen::Vector3d gravity;
     file >> bodies >> gravity[0] >> gravity[1] >> gravity[2];
     model.gravity.linear(gravity);
-    pin::JointIndex before = 0;
     for (size_t index = 0; index < bodies; index++) {
         std::string hinge;
         Eigen::Vector3d position, com;
         Eigen::Matrix3d rotation, inertia;
         double mass;
-        file >> hinge;
+        pin::JointIndex parent;
+        file >> hinge >> parent;
         for (int i = 0; i < 3; i++) file >> position[i];
         for (int i = 0; i < 9; i++) file >> rotation(i / 3, i % 3);
         file >> mass;
@@ -47,56 +52,65 @@ static void read_model(const char *path) {
         if (hinge == "y") joint = pin::JointModelRY();
         if (hinge == "z") joint = pin::JointModelRZ();
         if (hinge == "ball") joint = pin::JointModelSpherical();
-        before = model.addJoint(before, joint, pin::SE3(rotation, position), std::to_string(index));
-        model.appendBodyToJoint(before, pin::Inertia(mass, com, inertia));
+        if (hinge == "floating") joint = pin::JointModelFreeFlyer();
+        auto own = model.addJoint(parent, joint, pin::SE3(rotation, position), std::to_string(index));
+        model.appendBodyToJoint(own, pin::Inertia(mass, com, inertia));
     }
 }
 
-// The coordinates, with quaternions in Pinocchio's order.
-static Vector coordinates;
+static bool is_floating() { return model.joints[1].shortname() == "JointModelFreeFlyer"; }
 
-static void take_coordinates(const double *state) {
-    if (model.nq == model.nv) {
-        coordinates = Given(state, model.nq);
-        return;
+// Quaternions are x, y, z, w here; the velocity of a floating base has its axes.
+static void prepare(double *state) {
+    if (model.nq == model.nv) return;
+    bool floats = is_floating();
+    for (int i = floats ? 3 : 0; i < (floats ? 7 : model.nq); i += 4) {
+        double w = state[i];
+        memmove(state + i, state + i + 1, 3 * sizeof(double));
+        state[i + 3] = w;
     }
-    for (int i = 0; i < model.nq; i += 4) {
-        coordinates.segment<3>(i) = Eigen::Map<const Eigen::Vector3d>(state + i + 1);
-        coordinates[i + 3] = state[i];
-    }
+    if (!floats) return;
+    Eigen::Map<Eigen::Vector3d> velocity(state + model.nq);
+    velocity = Eigen::Map<const Eigen::Quaterniond>(state + 3).inverse() * velocity;
+}
+
+// The acceleration of a floating base is spatial: it lacks ω × v, and it has the base's axes.
+static void finish(const double *state, double *result) {
+    if (!is_floating()) return;
+    Eigen::Map<const Eigen::Vector3d> velocity(state + model.nq), omega(state + model.nq + 3);
+    Eigen::Map<Eigen::Vector3d> acceleration(result);
+    acceleration += omega.cross(velocity);
+    acceleration = Eigen::Map<const Eigen::Quaterniond>(state + 3) * acceleration;
 }
 
 static void accelerations(const double *state, double *result) {
-    take_coordinates(state);
-    Given v(state + model.nq, model.nv), torques(state + model.nq + model.nv, model.nv);
-    pin::aba(model, *data, coordinates, v, torques);
+    Given q(state, model.nq), v(state + model.nq, model.nv), torques(state + model.nq + model.nv, model.nv);
+    pin::aba(model, *data, q, v, torques);
     Eigen::Map<Vector>(result, model.nv) = data->ddq;
 }
 
 // Also computes the wrench in every hinge, which `rnea` stores in `data->f`.
 static void all(const double *state, double *result) {
     accelerations(state, result);
-    Given v(state + model.nq, model.nv);
-    pin::rnea(model, *data, coordinates, v, data->ddq);
+    pin::rnea(model, *data, Given(state, model.nq), Given(state + model.nq, model.nv), data->ddq);
 }
 
 static void rk4(const double *state, double *result) {
     static Vector q, v, speeds[4], accelerations[4];
-    take_coordinates(state);
-    q = coordinates;
+    Given start(state, model.nq), torques(state + model.nq + model.nv, model.nv);
+    q = start;
     v = Given(state + model.nq, model.nv);
-    Given torques(state + model.nq + model.nv, model.nv);
     const double way[] = {0.5 * step, 0.5 * step, step};
     speeds[0] = v;
     for (int stage = 0;; stage++) {
         accelerations[stage] = pin::aba(model, *data, q, speeds[stage], torques);
         if (stage == 3) break;
-        pin::integrate(model, coordinates, way[stage] * speeds[stage], q);
+        pin::integrate(model, start, way[stage] * speeds[stage], q);
         speeds[stage + 1] = v + way[stage] * accelerations[stage];
     }
     speeds[0] += 2 * speeds[1] + 2 * speeds[2] + speeds[3];
     accelerations[0] += 2 * accelerations[1] + 2 * accelerations[2] + accelerations[3];
-    pin::integrate(model, coordinates, step / 6 * speeds[0], q);
+    pin::integrate(model, start, step / 6 * speeds[0], q);
     v += step / 6 * accelerations[0];
     Eigen::Map<Vector>(result, model.nv) = v;
 }
@@ -105,7 +119,6 @@ int main(int count, char **arguments) {
     if (count != 6) fail("contender MODEL WHAT STATES RESULTS MILLISECONDS");
     read_model(arguments[1]);
     data = new pin::Data(model);
-    coordinates = Vector::Zero(model.nq);
     std::string what = arguments[2];
     evaluate = what == "accelerations" ? accelerations : what == "all" ? all : rk4;
     state_numbers = (size_t)(model.nq + 2 * model.nv);

@@ -36,8 +36,12 @@ def main() -> None:
         for what in options.what:
             if what != "accelerations" and name not in LONGER and not options.all:
                 continue
+            if what == "rk4" and case.floating:
+                continue
             own = own_contenders(native, any_processor, case, what)
-            peers = [*builder.casadi(case, what), builder.pinocchio(case, what), builder.mujoco(case, what)]
+            peers = [*builder.casadi(case, what), builder.pinocchio(case, what)]
+            if not case.floating:
+                peers.append(builder.mujoco(case, what))
             states, expected = expectation(native, case, what, options.work)
             say(f"timing {name}, {what}")
             rows = measure(
@@ -89,14 +93,15 @@ def own_contenders(native: Path, any_processor: Path, case: Case, what: str) -> 
         Contender("mstmm, native", (str(native), what, case.name), own=True),
         Contender("mstmm, any processor", (str(any_processor), what, case.name), own=True),
     ]
-    if what == "all":
+    if what == "all" and not case.floating:
         contenders.append(Contender("mstmm, native, z alone", (str(native), "z", case.name), own=True))
     # The usage text of a contender lists what it computes.
     usage = subprocess.run([native], capture_output=True, text=True).stderr
-    if what == "accelerations" and "lanes" in usage:
+    if what == "accelerations" and "lanes" in usage and case.name != "G1":
         double, single = ((str(native), mode, case.name) for mode in ("lanes", "lanes32"))
         contenders.append(Contender("mstmm, lanes", double, own=True, wide=True))
-        contenders.append(Contender("mstmm, lanes of f32", single, own=True, wide=True, single=True))
+        if not case.floating:
+            contenders.append(Contender("mstmm, lanes of f32", single, own=True, wide=True, single=True))
     return contenders
 
 

@@ -110,3 +110,22 @@ def by_upper(lower: Lower, v: Vector) -> Vector:
     l10, l20, l21 = lower
     second = sub(v[1], mul(l21, v[2]))
     return [sub(sub(v[0], mul(l20, v[2])), mul(l10, second)), second, v[2]]
+
+
+def solve_symmetric(a: list[Vector], b: Vector) -> Vector:
+    """Returns A⁻¹ b of a symmetric matrix of any size by A = L D Lᵀ."""
+    count = len(b)
+    rest, lower, inverse = [list(row) for row in a], [[0.0] * count for _ in range(count)], []
+    for k in range(count):
+        inverse.append(1.0 / rest[k][k])
+        for i in range(k + 1, count):
+            lower[i][k] = mul(rest[i][k], inverse[k])
+            for j in range(k + 1, i + 1):
+                rest[i][j] = sub(rest[i][j], mul(lower[i][k], rest[j][k]))
+    y: Vector = []
+    for i in range(count):
+        y.append(sub(b[i], dot(lower[i][:i], y)))
+    x = [mul(value, factor) for value, factor in zip(y, inverse, strict=True)]
+    for i in reversed(range(count)):
+        x[i] = sub(x[i], dot([lower[j][i] for j in range(i + 1, count)], x[i + 1 :]))
+    return x

@@ -4,17 +4,14 @@ import hashlib
 import os
 import subprocess
 import sys
-import sysconfig
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import algebra, casadi_code, cases, hinges, models, recursion
 from .cases import Case
-
-ROOT = Path(__file__).resolve().parents[3]
-DRIVERS = ROOT / "benches/peers/drivers"
-PACKAGES = Path(sysconfig.get_paths()["purelib"])
+from .paths import DRIVERS, PACKAGES, ROOT
+from .trees import robots, urdf
 
 NATIVE = ["-O3", "-march=native", "-DNDEBUG"]
 CASADI = [*NATIVE, "-ffp-contract=fast", "-fno-math-errno"]
@@ -70,7 +67,8 @@ class Builder:
         folder = self.work / "casadi" / case.name / ("wrenches" if wrenches else "accelerations")
         folder.mkdir(parents=True, exist_ok=True)
         core = folder / "core.h"
-        sources = [Path(module.__file__ or "") for module in (algebra, hinges, recursion, casadi_code, cases)]
+        modules = (algebra, hinges, recursion, casadi_code, cases, robots, urdf)
+        sources = [Path(module.__file__ or "") for module in modules]
         if self._outdated(core, "", sources):
             say(f"CasADi's code of {case.name}, {folder.name}")
             casadi_code.generate(case, wrenches, core)

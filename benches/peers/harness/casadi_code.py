@@ -16,16 +16,20 @@ def generate(case: Case, wrenches: bool, path: Path) -> None:
     and CasADi would turn the products with a reciprocal into as many divisions.
     """
     casadi.GlobalOptions.setSimplificationOnTheFly(False)
-    names = ["q"] if case.balls else ["sines", "cosines"]
-    sizes = [case.coordinates] * len(names)
-    coordinates = [casadi.SX.sym(name, size) for name, size in zip(names, sizes, strict=True)]
+    pins = sum(body.hinge in "xyz" for body in case.bodies)
+    sizes = {"q": case.coordinates} if case.balls else {"sines": pins, "cosines": pins}
+    if case.floating:
+        sizes = {"base": 7, **sizes}
+    names = list(sizes)
+    coordinates = [casadi.SX.sym(name, size) for name, size in sizes.items()]
     rates, torques = (casadi.SX.sym(name, case.rates) for name in ("v", "torques"))
     if case.balls:
         (q,) = coordinates
         hinges = [[q[4 * i + j] for j in range(4)] for i in range(len(case.bodies))]
     else:
-        sines, cosines = coordinates
-        hinges = [[sines[i], cosines[i]] for i in range(len(case.bodies))]
+        *base, sines, cosines = coordinates
+        hinges = [casadi.vertsplit(x) for x in base]
+        hinges += [[sines[i], cosines[i]] for i in range(pins)]
     results = accelerations(
         case,
         hinges,
@@ -37,8 +41,8 @@ def generate(case: Case, wrenches: bool, path: Path) -> None:
     core = casadi.Function("core", inputs, [casadi.cse(casadi.vertcat(*results))])
     generator = casadi.CodeGenerator("core.c", {"with_header": False, "verbose": False})
     generator.add(core)
-    pins = 0 if case.balls else len(case.bodies)
     defines = {
+        "BASE": 7 if case.floating else 0,
         "COORDINATES": case.coordinates,
         "RATES": case.rates,
         "PINS": pins,

@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass
 
+from .trees import urdf
+from .trees.robots import MODELS_BY_NAME
+
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
@@ -17,7 +20,9 @@ class Body:
     """A body and its inboard hinge; both frames have their origin at the hinge."""
 
     hinge: str
-    """`x`, `y` or `z`: a pin about this axis; `ball`."""
+    """`x`, `y` or `z`: a pin about this axis; `ball`; `floating`, only of the first body."""
+    parent: int | None
+    """The index of the inboard body, `None` for the ground."""
     position: Vector
     """The position of the hinge, in the frame of the inboard body."""
     rotation: Matrix
@@ -30,7 +35,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Case:
-    """A chain with its first hinge on the ground."""
+    """A chain with its first hinge on the ground, or a tree with a floating base."""
 
     name: str
     gravity: Vector
@@ -38,21 +43,25 @@ class Case:
 
     @property
     def coordinates(self) -> int:
-        return sum(4 if body.hinge == "ball" else 1 for body in self.bodies)
+        return sum({"ball": 4, "floating": 7}.get(body.hinge, 1) for body in self.bodies)
 
     @property
     def rates(self) -> int:
-        return sum(3 if body.hinge == "ball" else 1 for body in self.bodies)
+        return sum({"ball": 3, "floating": 6}.get(body.hinge, 1) for body in self.bodies)
 
     @property
     def balls(self) -> bool:
-        """A case has either only pins or only balls."""
+        """A case has either only balls or, apart from a floating base, only pins."""
         return self.bodies[0].hinge == "ball"
+
+    @property
+    def floating(self) -> bool:
+        return self.bodies[0].hinge == "floating"
 
     @property
     def states(self) -> int:
         """The number of states: too many angles for branch prediction."""
-        return 4096 if self.rates <= 30 else 256 if self.rates <= 300 else 64
+        return 4096 if self.rates <= 40 else 256 if self.rates <= 300 else 64
 
 
 def diagonal(x: float, y: float, z: float) -> Matrix:
@@ -66,10 +75,15 @@ def tensor(xx: float, yy: float, zz: float, xy: float, xz: float, yz: float) -> 
 def chain(name: str, hinges: list[str], inertia: Matrix) -> Case:
     """Bodies of 1 kg and 1 m in a row along x."""
     bodies = (
-        Body(hinge, (1.0, 0.0, 0.0) if index else ZERO, ONE, 1.0, (0.5, 0.0, 0.0), inertia)
+        Body(hinge, before(index), (float(index > 0), 0.0, 0.0), ONE, 1.0, (0.5, 0.0, 0.0), inertia)
         for index, hinge in enumerate(hinges)
     )
     return Case(name, (0.0, -9.8, 0.0), tuple(bodies))
+
+
+def before(index: int) -> int | None:
+    """Returns the inboard body in a chain."""
+    return index - 1 if index else None
 
 
 def panda() -> Case:
@@ -121,10 +135,40 @@ def panda() -> Case:
         ),
     ]
     bodies = (
-        Body("z", position, rotation, mass, com, inertia)
-        for (position, rotation), (mass, com, inertia) in zip(joints, links, strict=True)
+        Body("z", before(index), position, rotation, mass, com, inertia)
+        for index, ((position, rotation), (mass, com, inertia)) in enumerate(zip(joints, links, strict=True))
     )
     return Case("D7", (0.0, 0.0, -9.81), tuple(bodies))
+
+
+def robot(name: str) -> Case:
+    """A robot of the check of trees, from its URDF file; its pins are about positive axes."""
+
+    def matrix(m: urdf.Matrix) -> Matrix:
+        x, y, z = ((float(a), float(b), float(c)) for a, b, c in m)
+        return (x, y, z)
+
+    def body(described: urdf.Body) -> Body:
+        hinge = "floating"
+        if described.kind == "pin":
+            hinge = "xyz"[described.axis.index(1)]
+        elif described.kind != "floating":
+            raise ValueError(f"{described.joint} is not a pin")
+        mass = described.mass
+        x, y, z = map(float, described.frame.position)
+        com_x, com_y, com_z = map(float, mass.com)
+        return Body(
+            hinge,
+            described.parent,
+            (x, y, z),
+            matrix(described.frame.rotation),
+            float(mass.mass),
+            (com_x, com_y, com_z),
+            matrix(mass.inertia),
+        )
+
+    bodies = tuple(map(body, MODELS_BY_NAME[name].robot().bodies))
+    return Case(name, (0.0, 0.0, -9.81), bodies)
 
 
 # Only the moment about z is used; the others make the inertia physical.
@@ -138,5 +182,6 @@ CASES = {
         *(chain(f"B{count}", ["ball"] * count, CUBE) for count in (3, 10, 100)),
         *(chain(f"C{count}", ["zy"[index % 2] for index in range(count)], CUBE) for count in (7, 30)),
         panda(),
+        *map(robot, ["HyQ", "G1"]),
     ]
 }

@@ -1,4 +1,4 @@
-"""Pins and balls: their rotations, and the wrench that they transmit.
+"""Pins, balls and the floating base: their rotations, and the wrench that they transmit.
 
 The bodies outboard of a hinge need the wrench
 
@@ -24,6 +24,9 @@ from .algebra import (
     dot,
     factors,
     mul,
+    neg,
+    plus,
+    solve_symmetric,
     square,
     sub,
     symmetric,
@@ -157,3 +160,26 @@ class Ball:
     def accelerate(self, alpha: Vector, a: Vector) -> tuple[Vector, Vector]:
         new = by_upper(self.lower, [sub(self.own[i], dot(self.gain[i], a)) for i in range(3)])
         return [sub(new[i], alpha[i]) for i in range(3)], new
+
+
+class Floating:
+    """A floating base; its rates are the inertial velocity and the angular velocity in its frame."""
+
+    def __init__(self, coordinates: Sequence[Number], rates: Vector, gravity: Vector):
+        self.ball = Ball(coordinates[3:], rates[3:], [0.0] * 3)
+        self.rate, self.gravity = rates[3:], gravity
+
+    def outwards(self, v: Vector) -> Vector:
+        return self.ball.outwards(v)
+
+    def eliminate(self, w: Wrench, _bias: Vector) -> Wrench:
+        """Solves for the accelerations with which there is no wrench, by L D Lᵀ of all six rows."""
+        both = transposed(w.b)
+        matrix = [row + w.b[i] for i, row in enumerate(w.a)] + [both[i] + row for i, row in enumerate(w.m)]
+        solved = solve_symmetric(matrix, [neg(x) for x in w.moment + w.force])
+        self.alpha, self.a = solved[:3], solved[3:]
+        return w
+
+    def accelerate(self) -> Vector:
+        """Returns the accelerations of the base; gravity is the acceleration of its frame of reference."""
+        return plus(self.ball.inwards(self.a), self.gravity) + self.alpha

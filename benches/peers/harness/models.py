@@ -13,7 +13,9 @@ def for_pinocchio(case: Case) -> str:
     def line(body: Body) -> str:
         entries = [*body.position, *(x for row in body.rotation for x in row), body.mass, *body.com]
         entries += [x for row in body.inertia for x in row]
-        return " ".join([body.hinge, *map(repr, entries)])
+        # Pinocchio's index of the ground is 0, that of the first body 1.
+        parent = 0 if body.parent is None else body.parent + 1
+        return " ".join([body.hinge, str(parent), *map(repr, entries)])
 
     first = " ".join(map(repr, [len(case.bodies), *case.gravity]))
     return "\n".join([first, *map(line, case.bodies)]) + "\n"

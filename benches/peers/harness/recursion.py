@@ -29,21 +29,23 @@ from .algebra import (
     turned,
 )
 from .cases import Body, Case
-from .hinges import Ball, Pin, Wrench
+from .hinges import Ball, Floating, Pin, Wrench
+
+Hinge = Pin | Ball | Floating
 
 
 class Link:
     """A body and its hinge during the three sweeps."""
 
-    def __init__(self, body: Body, hinge: Pin | Ball, before: Link | None, number: Callable[[float], Number]):
+    def __init__(self, body: Body, hinge: Hinge, before: Link | None, number: Callable[[float], Number]):
         """Outward sweep: rates, and the bias terms."""
         self.hinge, self.before = hinge, before
         # Set by the last sweep.
         self.alpha: Vector
         self.a: Vector
         self.arm = [number(x) if x else 0.0 for x in body.position]
-        # The rotation of the hinge's inboard side; its entries are zeros and ones.
-        self.fixed = [list(row) for row in body.rotation]
+        # The rotation of the hinge's inboard side, often of zeros and ones.
+        self.fixed = [[x if x in (0.0, 1.0, -1.0) else number(x) for x in row] for row in body.rotation]
         carried = self.outwards(before.omega if before else [0.0] * 3)
         self.omega: Vector = plus(carried, hinge.rate)
         self.bias = cross(carried, hinge.rate)
@@ -92,7 +94,7 @@ class Link:
     def eliminate(self) -> None:
         """Inward sweep: eliminates the hinge, and adds the transmitted wrench to the inboard body."""
         self.released = self.hinge.eliminate(self.wrench, self.bias)
-        if not self.before:
+        if not self.before or isinstance(self.hinge, Floating):
             return
         w, fixed = self.hinge.wrench_inwards(self.released), self.fixed
         a, m = turned(fixed, w.a, symmetric), turned(fixed, w.m, symmetric)
@@ -114,6 +116,9 @@ class Link:
 
     def accelerate(self, ground: Vector) -> Vector:
         """Outward sweep: returns the hinge's acceleration and sets those of the body."""
+        if isinstance(self.hinge, Floating):
+            self.alpha, self.a = self.hinge.alpha, self.hinge.a
+            return self.hinge.accelerate()
         before_alpha, before_a = (self.before.alpha, self.before.a) if self.before else ([0.0] * 3, ground)
         a = self.outwards(plus(before_a, cross(before_alpha, self.arm), self.arm_drift))
         self.carried = self.outwards(before_alpha)
@@ -151,22 +156,28 @@ def accelerations(
     number: Callable[[float], Number] = float,
     wrenches: bool = False,
 ) -> list[Number]:
-    """Returns the accelerations of all hinges, from sine and cosine of each pin or the quaternion of each
-    ball, and with `wrenches` moment and force in every hinge. `number` converts constants.
+    """Returns the accelerations of all hinges, from sine and cosine of each pin, the quaternion of each
+    ball, or the seven coordinates of a floating base, and with `wrenches` moment and force in every hinge
+    but this base. `number` converts constants.
     """
     links: list[Link] = []
     place = 0
     for body, own in zip(case.bodies, coordinates, strict=True):
-        hinge: Pin | Ball
-        if body.hinge == "ball":
+        hinge: Hinge
+        if body.hinge == "floating":
+            gravity = [number(x) if x else 0.0 for x in case.gravity]
+            hinge, place = Floating(own, list(rates[:6]), gravity), 6
+        elif body.hinge == "ball":
             here = slice(place, place + 3)
             hinge, place = Ball(own, list(rates[here]), list(torques[here])), place + 3
         else:
             hinge = Pin("xyz".index(body.hinge), own[0], own[1], rates[place], torques[place])
             place += 1
-        links.append(Link(body, hinge, links[-1] if links else None, number))
+        links.append(Link(body, hinge, None if body.parent is None else links[body.parent], number))
     for link in reversed(links):
         link.eliminate()
     ground = [number(-x) if x else 0.0 for x in case.gravity]
     result = [x for link in links for x in link.accelerate(ground)]
-    return result + ([x for link in links for x in link.reaction()] if wrenches else [])
+    if wrenches:
+        result += [x for link in links if not isinstance(link.hinge, Floating) for x in link.reaction()]
+    return result

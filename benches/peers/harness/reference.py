@@ -1,5 +1,6 @@
 """Reference accelerations in long doubles, and a check of the reference."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,13 +20,21 @@ def parts(case: Case, states: Array) -> tuple[Array, Array, Array]:
         # They have unit length up to rounding in double precision.
         quaternions = q.reshape(-1, 4, q.shape[1])
         q = (quaternions / np.sqrt((quaternions**2).sum(axis=1, keepdims=True))).reshape(q.shape)
+    if case.floating:
+        q[3:7] /= np.sqrt((q[3:7] ** 2).sum(axis=0))
     return q, v, torques
 
 
 def of(case: Case, q: Array, v: Array, torques: Array) -> Array:
     """Returns the accelerations of all hinges."""
-    hinges = q.reshape(-1, 4, q.shape[1]) if case.balls else np.stack([np.sin(q), np.cos(q)], axis=1)
-    return np.array(accelerations(case, list(hinges), list(v), list(torques), number=Long))
+    hinges: list[Any]
+    if case.balls:
+        hinges = list(q.reshape(-1, 4, q.shape[1]))
+    else:
+        angles = q[7:] if case.floating else q
+        hinges = list(np.stack([np.sin(angles), np.cos(angles)], axis=1))
+        hinges = [q[:7], *hinges] if case.floating else hinges
+    return np.array(accelerations(case, hinges, list(v), list(torques), number=Long))
 
 
 def after_step(case: Case, q: Array, v: Array, torques: Array, step: float) -> Array:
@@ -58,25 +67,46 @@ def check(case: Case, q: Array, v: Array, accelerations: Array, torques: Array) 
     assert left < 1e-14 / change * seen, f"the reference of {case.name} is wrong"
 
 
+@dataclass
+class Moving:
+    """A body in motion, in inertial components; rows for components, columns for states."""
+
+    turn: Array
+    arm: Array
+    """From the inboard body's hinge to this body's hinge."""
+    omega: Array
+    alpha: Array
+    acceleration: Array
+    """Of the hinge, relative to a frame that falls freely."""
+    axes: Array
+    """Of the hinge's rotations."""
+    force: Array
+    moment: Array
+    """The wrench of this body and the bodies outboard of it, about the hinge."""
+
+
 def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> float:
     """Returns the error of the torques for these accelerations, relative to the largest moment in any
-    hinge.
+    hinge, and with a floating base also that of its force, relative to the largest force.
 
     Uses Newton's and Euler's equations of each body in the inertial frame, independently of the
     recursion.
     """
     count = q.shape[1]
-    turn = np.broadcast_to(np.eye(3, dtype=Long)[:, :, None], (3, 3, count))
-    omega, alpha = np.zeros((3, count), Long), np.zeros((3, count), Long)
-    acceleration = np.zeros((3, count), Long) - np.array(case.gravity, Long)[:, None]
-    bodies = []
+    zero, falling = np.zeros((3, count), Long), np.array(case.gravity, Long)[:, None]
+    upright = np.broadcast_to(np.eye(3, dtype=Long)[:, :, None], (3, 3, count))
+    ground = Moving(upright, zero, zero, zero, zero - falling, zero, zero, zero)
+    bodies: list[Moving] = []
     place_q = place_v = 0
     for body in case.bodies:
-        arm = rotated(turn, np.array(body.position, Long)[:, None])
-        acceleration = acceleration + np.cross(alpha, arm, axis=0)
-        acceleration = acceleration + np.cross(omega, np.cross(omega, arm, axis=0), axis=0)
-        turn = product(turn, np.array(body.rotation, Long)[:, :, None])
-        if body.hinge == "ball":
+        outer = ground if body.parent is None else bodies[body.parent]
+        arm = rotated(outer.turn, np.array(body.position, Long)[:, None])
+        acceleration = outer.acceleration + swung(outer, arm)
+        turn = product(outer.turn, np.array(body.rotation, Long)[:, :, None])
+        if body.hinge == "floating":
+            acceleration = a[:3] - falling
+            place_q, place_v = 3, 3
+        if body.hinge in ("ball", "floating"):
             turn = product(turn, rotation(q[place_q : place_q + 4]))
             axes, size = turn, 4
         else:
@@ -87,27 +117,37 @@ def torque_error(case: Case, q: Array, v: Array, a: Array, torques: Array) -> fl
         place_q, place_v = place_q + size, rates.stop
         own_omega = np.einsum("ijn,jn->in", axes, v[rates])
         own_alpha = np.einsum("ijn,jn->in", axes, a[rates])
-        alpha = alpha + own_alpha + np.cross(omega, own_omega, axis=0)
-        omega = omega + own_omega
+        alpha = outer.alpha + own_alpha + np.cross(outer.omega, own_omega, axis=0)
+        moving = Moving(turn, arm, outer.omega + own_omega, alpha, acceleration, axes, zero, zero)
+        bodies.append(moving)
         com = rotated(turn, np.array(body.com, Long)[:, None])
-        of_com = acceleration + np.cross(alpha, com, axis=0)
-        of_com = of_com + np.cross(omega, np.cross(omega, com, axis=0), axis=0)
+        moving.force = Long(body.mass) * (acceleration + swung(moving, com))
         inertia = np.array(body.inertia, Long)[:, :, None]
         world = product(product(turn, inertia), np.swapaxes(turn, 0, 1))
-        moment = rotated(world, alpha) + np.cross(omega, rotated(world, omega), axis=0)
-        bodies.append((arm, com, Long(body.mass) * of_com, moment, axes))
+        gyroscopic = np.cross(moving.omega, rotated(world, moving.omega), axis=0)
+        moving.moment = rotated(world, alpha) + gyroscopic + np.cross(com, moving.force, axis=0)
 
-    force, moment = np.zeros((2, 3, count), Long)
-    largest = np.zeros(count, Long)
-    taken: list[Array] = []
-    for arm, com, own_force, own_moment, axes in reversed(bodies):
-        force = force + own_force
-        moment = moment + own_moment + np.cross(com, own_force, axis=0)
-        taken.insert(0, np.einsum("ijn,in->jn", axes, moment))
-        largest = np.maximum(largest, np.abs(moment).max(axis=0))
-        # From here on about the inboard body's hinge.
-        moment = moment + np.cross(arm, force, axis=0)
-    return float((np.abs(np.concatenate(taken) - torques) / largest).max())
+    largest = largest_force = np.zeros(count, Long)
+    required: list[Array] = []
+    for body, moving in zip(reversed(case.bodies), reversed(bodies), strict=True):
+        required.insert(0, np.einsum("ijn,in->jn", moving.axes, moving.moment))
+        largest = np.maximum(largest, np.abs(moving.moment).max(axis=0))
+        largest_force = np.maximum(largest_force, np.abs(moving.force).max(axis=0))
+        if body.parent is not None:
+            outer = bodies[body.parent]
+            outer.force = outer.force + moving.force
+            outer.moment = outer.moment + moving.moment + np.cross(moving.arm, moving.force, axis=0)
+    scales = [np.broadcast_to(largest, torques.shape)]
+    if case.floating:
+        required.insert(0, bodies[0].force)
+        scales = [np.broadcast_to(largest_force, (3, count)), scales[0][3:]]
+    return float((np.abs(np.concatenate(required) - torques) / np.concatenate(scales)).max())
+
+
+def swung(body: Moving, arm: Array) -> Array:
+    """Returns the acceleration of a point of a body relative to its hinge."""
+    centripetal = np.cross(body.omega, np.cross(body.omega, arm, axis=0), axis=0)
+    return np.asarray(np.cross(body.alpha, arm, axis=0) + centripetal)
 
 
 def rotated(turn: Array, v: Array) -> Array:

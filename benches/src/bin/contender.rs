@@ -8,8 +8,8 @@ use std::{env, fs};
 use mstmm::wide::{f32x16, f64x8};
 use mstmm::{ChainState, Rk4, Scalar};
 use mstmm_benches::{
-    Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
-    numbers_of_state, random_states, samples_from, with_cases, with_z,
+    Balls3, Balls10, Balls100, Case, G1, Hyq, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100,
+    Rods1000, numbers_of_state, random_states, samples_from, with_cases, with_z,
 };
 
 const USAGE: &str = "contender states CASE COUNT STATES_OUT
@@ -37,11 +37,21 @@ fn main() -> Result<(), Box<dyn Error>> {
                     ("z", $chain::<f64>::NAME) => run::<with_z::$chain<f64>>(&arguments),
                     (_, $chain::<f64>::NAME) => run::<$chain<f64>>(&arguments),
                 )*
-                _ => Err("no such case".into()),
+                _ => run_tree(&arguments),
             }
         };
     }
     with_cases!(run)
+}
+
+/// Runs a robot that branches. Only the smaller one has lanes, since they take minutes to compile.
+fn run_tree(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
+    match *arguments {
+        ["lanes", Hyq::<f64>::NAME, ..] => run::<Hyq<f64x8>>(arguments),
+        [_, Hyq::<f64>::NAME, ..] => run::<Hyq<f64>>(arguments),
+        [_, G1::<f64>::NAME, ..] => run::<G1<f64>>(arguments),
+        _ => Err("no such case".into()),
+    }
 }
 
 fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
@@ -52,7 +62,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
         }
         [what, _, states, results, milliseconds] => {
             let numbers = from_bytes(&fs::read(states)?);
-            let chain = C::default();
+            let chain = C::undamped();
             let samples = samples_from(&chain, &numbers);
             let budget = Duration::from_millis(milliseconds.parse()?);
             let mut run = match what {

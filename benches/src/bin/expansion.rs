@@ -5,7 +5,7 @@ use std::error::Error;
 use std::fmt::Write;
 use std::time::Instant;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 macro_rules! mstmm_chain {
@@ -21,6 +21,12 @@ panda! {
     pub chain Panda {}
 }
 
+/// Robots that branch.
+const TREES: [(&str, &str); 2] = [
+    ("HyQ", include_str!("../models/trees/hyq.chain")),
+    ("G1", include_str!("../models/trees/g1.chain")),
+];
+
 /// The number of bodies of the long chain, all different.
 const BODIES: usize = 32;
 
@@ -28,7 +34,11 @@ const RUNS: usize = 11;
 
 fn main() -> Result<(), Box<dyn Error>> {
     time("the Panda", &PANDA.parse()?)?;
-    time("32 different bodies", &different_bodies()?.parse()?)
+    time("32 different bodies", &different_bodies()?.parse()?)?;
+    for (name, text) in TREES {
+        time(name, &description(text)?)?;
+    }
+    Ok(())
 }
 
 /// Prints the median of some expansions.
@@ -45,6 +55,15 @@ fn time(name: &str, description: &TokenStream) -> Result<(), Box<dyn Error>> {
     milliseconds.sort_by(f64::total_cmp);
     println!("{name}\t{:.1}", milliseconds[RUNS / 2]);
     Ok(())
+}
+
+/// Returns the arguments of the macro call that a file consists of.
+fn description(text: &str) -> Result<TokenStream, Box<dyn Error>> {
+    let call: TokenStream = text.parse()?;
+    match call.into_iter().last() {
+        Some(TokenTree::Group(arguments)) => Ok(arguments.stream()),
+        _ => Err("not a call of the macro".into()),
+    }
 }
 
 /// A chain of pins whose bodies have full tensors.

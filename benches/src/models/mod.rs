@@ -4,6 +4,7 @@ mod balls;
 mod panda;
 mod pins;
 mod rods;
+mod trees;
 pub mod with_z;
 
 use mstmm::mstmm_chain;
@@ -12,12 +13,27 @@ pub use balls::{Balls3, Balls10, Balls100};
 pub use panda::Panda;
 pub use pins::{Pins7, Pins30};
 pub use rods::{Rods3, Rods10, Rods100, Rods1000};
+pub use trees::{G1, Hyq};
 
-/// Implements [`Case`](crate::Case) for a generated chain, from its name and its inputs.
+/// Implements [`Case`](crate::Case) for a generated chain, from its name, its inputs and, if it has dampers, how
+/// to remove them.
 macro_rules! case {
-    ($chain:ident, $name:literal, |$inputs:ident, $torques:ident| $set:expr) => {
+    (
+        $chain:ident,
+        $name:literal,
+        |$inputs:ident, $torques:ident| $set:expr
+        $(, |$damped:ident| $remove:expr)?
+    ) => {
         impl<T: $crate::Lanes> $crate::Case for $chain<T> {
             const NAME: &'static str = $name;
+
+            $(
+                fn undamped() -> Self {
+                    let mut $damped = Self::default();
+                    $remove;
+                    $damped
+                }
+            )?
 
             fn accelerations_into(
                 &self,

@@ -26,10 +26,11 @@ QUANTITIES = ("accelerations", "forces", "moments")
 def main() -> None:
     options = parse()
     options.work.mkdir(parents=True, exist_ok=True)
-    print("| robot | degrees of freedom | | to Pinocchio | error | Pinocchio's error |\n|---|---:|---|---:|---:|---:|")
+    print("| robot | degrees of freedom | | to Pinocchio | error | Pinocchio's error |")
+    print("|---|---:|---|---:|---:|---:|")
     failed = []
     for name in options.robots:
-        model = MODELS_BY_NAME[name]
+        model = MODELS_BY_NAME[name].printed() if options.printed else MODELS_BY_NAME[name]
         try:
             lines, is_right = check(model, options)
         except subprocess.CalledProcessError as error:
@@ -49,6 +50,9 @@ def parse() -> argparse.Namespace:
     )
     parser.add_argument("--states", type=int, default=200, help="compared with Pinocchio")
     parser.add_argument("--references", type=int, default=20, help="of these, compared with the reference")
+    parser.add_argument(
+        "--printed", action="store_true", help="print all texts, also those that were written by hand"
+    )
     options = parser.parse_args()
     if unknown := set(options.robots) - set(MODELS_BY_NAME):
         parser.error(f"not known: {', '.join(unknown)}")
@@ -109,7 +113,8 @@ def exact(robot: Robot, states: np.ndarray) -> list[np.ndarray]:
     for state in states:
         parts = np.split(state, [coordinates, coordinates + base + joints])
         result = reference.solve(robot, *([mpf(float(x)) for x in part] for part in parts))
-        for column, values in zip(results, (result.accelerations, result.forces, result.moments), strict=True):
+        quantities = (result.accelerations, result.forces, result.moments)
+        for column, values in zip(results, quantities, strict=True):
             column.append(np.array(values, dtype=float))
     return [np.array(column) for column in results]
 

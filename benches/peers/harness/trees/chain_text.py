@@ -14,12 +14,12 @@ DIGITS = 20
 
 KEYWORDS = frozenset(
     # Rust's, with those of newer editions.
-    "abstract as async await become box break const continue crate do dyn else enum extern false final fn for "
-    "gen if impl in let loop macro match mod move mut override priv pub ref return self static struct super "
-    "trait true try type typeof unsafe unsized use virtual where while yield "
+    "abstract as async await become box break const continue crate do dyn else enum extern false final fn "
+    "for gen if impl in let loop macro match mod move mut override priv pub ref return self static struct "
+    "super trait true try type typeof unsafe unsized use virtual where while yield "
     # The language's.
-    "body hinge param ground gravity part last load spring moving repeat method results answers at turned from "
-    "weld pin slider screw cylindrical universal ball planar floating elastic "
+    "body hinge param ground gravity part last load spring moving repeat method results answers at turned "
+    "from weld pin slider screw cylindrical universal ball planar floating elastic "
     # Methods that every chain has.
     "accelerations accelerations_into assemble clone closure configuration_rate_into default derivative_into "
     "energy implicit_derivative_into initial_state kinetic_energy new no_inputs normalize parameters points "
@@ -27,6 +27,7 @@ KEYWORDS = frozenset(
     # Points that every body has.
     "input output com".split()
 )
+"""Names that a body, a hinge or a point must not have."""
 
 
 @dataclass(frozen=True)
@@ -97,9 +98,7 @@ class Writer:
         lines += ["", *self.routes(), ""]
         for kind, effort in (("pin", "torque"), ("slider", "force")):
             if names := [
-                hinge
-                for hinge, body in zip(self.hinges, self.robot.bodies, strict=True)
-                if body.kind == kind
+                hinge for hinge, body in zip(self.hinges, self.robot.bodies, strict=True) if body.kind == kind
             ]:
                 lines += wrapped(f"hinge {', '.join(names)} {{ {effort} = input; }}", "    ")
         return lines
@@ -109,7 +108,7 @@ class Writer:
         body = self.robot.bodies[index]
         mass = body.mass
         if mass.mass <= 0:
-            raise ValueError(f"link {body.name} has no mass")
+            raise ValueError(f"link {body.name} moves and has no mass")
         lines = [
             f"mass = {number(mass.mass)} kg;",
             f"com = {position(mass.com)};",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 
 from . import chain_text, urdf
@@ -16,8 +17,11 @@ def main() -> None:
         "--angles-as-written", action="store_true", help="1.57079632679 is not taken as a right angle"
     )
     options = parser.parse_args()
-    robot = urdf.read(options.file, options.floating, not options.angles_as_written)
-    print(chain_text.write(robot, options.file.name).text, end="")
+    try:
+        robot = urdf.read(options.file, options.floating, not options.angles_as_written)
+        print(chain_text.write(robot, options.file.name).text, end="")
+    except (OSError, ValueError) as error:
+        sys.exit(f"{options.file}: {error}")
 
 
 if __name__ == "__main__":

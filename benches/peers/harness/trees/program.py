@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..build import ROOT
+from ..paths import ROOT
 from .chain_text import Text
 from .robots import Model
 from .urdf import Robot
@@ -94,7 +94,9 @@ def replace(path: Path, text: str) -> None:
         path.write_text(text)
 
 
-def run(work: Path, model: Model, robot: Robot, states: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def run(
+    work: Path, model: Model, robot: Robot, states: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Builds the program and returns accelerations (by both functions), forces and moments for all states."""
     name = model.name.lower()
     files = [work / f"{name}.states", work / f"{name}.results"]

@@ -116,9 +116,7 @@ def moving(robot: Robot, q: list[mpf], v: list[mpf]) -> list[Moving]:
                 arm = plus(arm, scaled(coordinate, axis))
             columns = {i: (w, plus(u, cross(w, arm))) for i, (w, u) in columns.items()}
             position = plus(parent.position if parent else zero, arm)
-            acceleration = plus(
-                parent.acceleration if parent else zero, swung(outer_omega, outer_alpha, arm)
-            )
+            acceleration = plus(parent.acceleration if parent else zero, swung(outer_omega, outer_alpha, arm))
             if described.kind == "slider":
                 acceleration = plus(acceleration, scaled(mpf(2), turning))
                 columns[rate] = (zero, axis)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..build import PACKAGES, ROOT
+from ..paths import PACKAGES, ROOT
 from . import chain_text, urdf
 from .chain_text import Text
 from .urdf import Robot
@@ -41,6 +41,10 @@ class Model:
         """Returns the robot with its bodies in the order of the text's coordinates."""
         robot = urdf.read(self.path, self.floating, right_angles)
         return robot.in_order([joint for _, joint in self.joints]) if self.by_hand else robot
+
+    def printed(self) -> Model:
+        """Returns the same robot with a text that is printed from the file."""
+        return replace(self, by_hand="", chain="", joints=(), undamped=())
 
     def text(self) -> Text:
         if not self.by_hand:

@@ -141,7 +141,10 @@ class Reader:
 
     def robot(self, floating: bool) -> Robot:
         below = {linked(joint, "child") for joints in self.children.values() for joint in joints}
-        (root,) = set(self.links) - below
+        roots = set(self.links) - below
+        if len(roots) != 1:
+            raise ValueError(f"expected one root link, found {len(roots)}")
+        (root,) = roots
         self.bodies: list[Body] = []
         if floating:
             self.add(root, "", "floating", [], None, identity())
@@ -154,9 +157,7 @@ class Reader:
         dampers = [name_of(joint) for joint in every if dissipates(joint)]
         return Robot(self.root.get("name", "robot"), self.bodies, mimics, dampers)
 
-    def add(
-        self, link: str, joint: str, kind: str, axis: Vector, parent: int | None, frame: Frame
-    ) -> None:
+    def add(self, link: str, joint: str, kind: str, axis: Vector, parent: int | None, frame: Frame) -> None:
         """Adds a body and the bodies outboard of it."""
         mass, merged, joints = self.rigid(link)
         index = len(self.bodies)
@@ -292,7 +293,9 @@ def times(m: Matrix, v: Vector) -> Vector:
 
 def product(a: Matrix, b: Matrix) -> Matrix:
     columns = transposed(b)
-    return [[sum((x * y for x, y in zip(row, column, strict=True)), mpf(0)) for column in columns] for row in a]
+    return [
+        [sum((x * y for x, y in zip(row, column, strict=True)), mpf(0)) for column in columns] for row in a
+    ]
 
 
 def transposed(m: Matrix) -> Matrix:
