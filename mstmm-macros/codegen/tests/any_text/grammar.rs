@@ -148,6 +148,66 @@ fn route(dimension: &Dimension) -> BoxedStrategy<String> {
         .boxed()
 }
 
+/// A place of a body, mostly of one that exists.
+fn place() -> BoxedStrategy<String> {
+    prop_oneof![
+        12 => (one_of("b0 b1 p0.t0 p0.t1 p1.t0 last.t0", " "), one_of("output tip input", " "))
+            .prop_map(|(body, point)| format!("{body}.{point}")),
+        1 => (pick(NAMES), pick(NAMES)).prop_map(|(body, point)| format!("{body}.{point}")),
+        1 => soup(),
+    ]
+    .boxed()
+}
+
+/// A further route: a branch, or an instance of a part.
+fn branch(dimension: &Dimension) -> BoxedStrategy<String> {
+    let hinge = || one_of(dimension.hinges, "|");
+    let name = || pick("p0 p1 p2 last");
+    prop_oneof![
+        4 => (place(), hinge(), pick("t2 t3 t4"))
+            .prop_map(|(place, hinge, body)| format!("{place} -> {hinge} {body}_h -> Rod {body};")),
+        4 => (place(), pick("Leg(2) Leg(K) Leg(-1) Leg(K+2*K) Leg Leg(1,2) Tail"), name())
+            .prop_map(|(place, part, name)| format!("{place} -> {part} {name};")),
+        2 => (place(), hinge(), place()).prop_map(|(place, hinge, first)| format!(
+            "{place} -> repeat 3 from r0.tip = {first} {{ {hinge} r1 -> Rod r0; r0.tip -> {hinge} r2 -> Rod r3; \
+             last.r0.tip -> {hinge} r4 -> Rod r5 }};"
+        )),
+        1 => (place(), place()).prop_map(|(on, to)| format!(
+            "spring cord {{ on = {on}; to = {to}; stiffness = 1; }}"
+        )),
+        1 => soup(),
+    ]
+    .boxed()
+}
+
+/// Parts: one with a parameter and branches, and one that may contain it.
+fn parts(dimension: &Dimension) -> BoxedStrategy<String> {
+    let hinge = || one_of(dimension.hinges, "|");
+    let piece = prop_oneof![
+        6 => (place(), hinge()).prop_map(|(place, hinge)| format!("{place} -> {hinge} k3 -> Rod t3;")),
+        6 => Just("t0.tip -> weld k4 -> Rod t4;".to_owned()),
+        4 => Just("load push { on = t0.tip; force = input; }".to_owned()),
+        4 => Just("hinge k0 { damping = size; }".to_owned()),
+        2 => Just("hinge k0 { start = size; }".to_owned()),
+        1 => soup(),
+    ];
+    let tail = prop_oneof![
+        4 => Just("k9 -> Rod t0 -> Leg(3) inner".to_owned()),
+        2 => Just("k9 -> repeat 2 { Leg(3) inner }".to_owned()),
+        1 => Just("k9 -> Rod t0 -> Tail tail".to_owned()),
+        1 => soup(),
+    ];
+    (hinge(), vec(piece, 0..3), hinge(), tail)
+        .prop_map(|(first, pieces, second, tail)| {
+            let pieces = pieces.join(" ");
+            format!(
+                "part Leg(size) {{ {first} k0 -> Rod t0 -> weld k1 -> Rod t1; {pieces} }}
+                 part Tail {{ {second} {tail}; }}"
+            )
+        })
+        .boxed()
+}
+
 fn chain(dimension: &'static Dimension) -> BoxedStrategy<String> {
     let before = prop_oneof![
         4 => Just("param K = 2;".to_owned()),
@@ -170,11 +230,16 @@ fn chain(dimension: &'static Dimension) -> BoxedStrategy<String> {
         1 => soup(),
     ];
     let word = prop_oneof![20 => one_of(dimension.word, "|"), 1 => soup()];
-    (word, pick("Arm"), vec(before, 0..3), route(dimension), vec(behind, 0..4))
-        .prop_map(|(word, name, before, route, behind)| {
+    let tree = option::weighted(0.5, (parts(dimension), vec(branch(dimension), 0..4)));
+    (word, pick("Arm"), vec(before, 0..3), route(dimension), tree, vec(behind, 0..4))
+        .prop_map(|(word, name, before, route, tree, behind)| {
             let (before, behind) = (before.join("\n"), behind.join("\n"));
+            let (parts, branches) = tree.unwrap_or_default();
+            let branches = branches.join("\n");
             let Dimension { body, .. } = dimension;
-            format!("{word} chain {name} {{\n{before}\n{body}\n{route}\n{behind}\n}}")
+            format!(
+                "{word} chain {name} {{\n{before}\n{body}\n{parts}\n{route}\n{branches}\n{behind}\n}}"
+            )
         })
         .boxed()
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 pub const WORDS: &str = "chain space plane line pub gravity method riccati transfer results poses velocities \
-    energies param body hinge load spring point ground moving repeat at turned about input output com pin ball weld slider \
+    energies param body hinge load spring point ground moving repeat from last part at turned about input output com pin ball weld slider \
     screw cylindrical universal planar floating elastic diag tensor matrix rpy quaternion sqrt sin \
     cos PI x y z kg m s rad deg N";
 
