@@ -10,8 +10,8 @@ use common::{difference, drives};
 use mstmm_codegen::compile::{compile, outputs};
 use mstmm_codegen::model::{self, Answer, Layout};
 use mstmm_reference::{
-    Chain, Dimension, Drives, Element, Ends, Point, Random, Recipe, Solution, State, TreeRecipe,
-    random_motion, random_part_tree, random_repeated_tree, random_tree,
+    Chain, Dimension, Drives, Element, Ends, Features, Point, Random, Recipe, Solution, State,
+    TreeRecipe, random_described_tree, random_motion, random_tree,
 };
 
 /// The tolerance, relative to the largest value of each quantity.
@@ -51,12 +51,12 @@ fn tree(random: &mut Random, name: &str, bodies: usize) -> (String, Chain) {
 
 #[test]
 fn small_trees() {
-    check(0..150, |random, name| tree(random, name, 5));
+    check(0..120, |random, name| tree(random, name, 5));
 }
 
 #[test]
 fn trees() {
-    check(1000..1060, |random, name| tree(random, name, 12));
+    check(1000..1040, |random, name| tree(random, name, 12));
 }
 
 #[test]
@@ -64,22 +64,34 @@ fn large_trees() {
     check(2000..2008, |random, name| tree(random, name, 40));
 }
 
-/// Trees with a part of one to three hinges that is repeated up to four times, with branches.
+/// Trees with repeated parts, which have branches of their own and places of the previous repetition.
 #[test]
 fn repeated_trees() {
-    check(3000..3060, |random, name| {
-        let recipe = with_ends(random, &REPEATED_ENDS);
-        random_repeated_tree(random, name, &recipe)
-    });
+    check(3000..3040, repeated);
 }
 
 /// Trees with instances of parts, some of them inside others.
 #[test]
 fn trees_of_parts() {
-    check(4000..4060, |random, name| {
-        let recipe = with_ends(random, &PART_ENDS);
-        random_part_tree(random, name, &recipe)
-    });
+    check(4000..4040, of_parts);
+}
+
+/// Trees with parts in repeated parts and repeated parts in parts.
+#[test]
+fn trees_with_everything() {
+    check(5000..5040, with_everything);
+}
+
+fn repeated(random: &mut Random, name: &str) -> (String, Chain) {
+    described(random, name, &REPEATED_ENDS, Features { parts: false, repeats: true })
+}
+
+fn of_parts(random: &mut Random, name: &str) -> (String, Chain) {
+    described(random, name, &Ends::ALL, Features { parts: true, repeats: false })
+}
+
+fn with_everything(random: &mut Random, name: &str) -> (String, Chain) {
+    described(random, name, &REPEATED_ENDS, Features { parts: true, repeats: true })
 }
 
 /// The ends of chains with repeated parts: the start is attached, or neither end is.
@@ -93,12 +105,17 @@ const REPEATED_ENDS: [Ends; 8] = [
     Ends::MovingHeld,
     Ends::MovingMoving,
 ];
-const PART_ENDS: [Ends; 3] = [Ends::HeldFree, Ends::MovingFree, Ends::FreeFree];
 
-fn with_ends(random: &mut Random, ends: &[Ends]) -> TreeRecipe {
+fn described(
+    random: &mut Random,
+    name: &str,
+    ends: &[Ends],
+    features: Features,
+) -> (String, Chain) {
     let ends = *random.choose(ends);
     let dimension = Recipe::any(random, 1).dimension;
-    TreeRecipe::rich(random, dimension, 4, ends)
+    let recipe = TreeRecipe::rich(random, dimension, 4, ends);
+    random_described_tree(random, name, &recipe, features)
 }
 
 fn with_bias_efforts(text: &str) -> String {
@@ -134,6 +151,17 @@ fn differences(
         ("energies alone", off(&energy, outputs::ENERGIES, &energies)),
         ("bias efforts", off(&bias, outputs::BIAS_EFFORTS, &truth.bias_efforts(state, driven))),
     ];
+    if compiled.find(Answer::ImplicitAccelerations).is_some() {
+        // A step of no length is an explicit one.
+        let implicit = run(Answer::ImplicitAccelerations)?;
+        let off = off(&implicit, outputs::ACCELERATIONS, &expected.accelerations);
+        differences.push(("implicit accelerations", off));
+    }
+    if compiled.find(Answer::Correction).is_some() {
+        let projected = run(Answer::Correction)?;
+        differences.push(("closed coordinates", off(&projected, outputs::COORDINATES, &state.q)));
+        differences.push(("closed rates", off(&projected, outputs::RATES, &state.v)));
+    }
     if !truth.springs.is_empty() {
         let expected = spring_states(&chain, truth, &expected);
         differences.push(("springs", difference(&springs(&chain, &full), &expected)));

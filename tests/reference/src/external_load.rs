@@ -164,7 +164,10 @@ impl BodyPoint {
             BodyPoint::Com => body.com,
             BodyPoint::Input => [0.0; 3],
             BodyPoint::Output => body.output.position,
-            BodyPoint::At(position) | BodyPoint::Named { position, .. } => *position,
+            BodyPoint::At(position) => *position,
+            BodyPoint::Named { name, position } => {
+                body.place(name).map_or(*position, |frame| frame.position)
+            }
         }
     }
 }

@@ -16,8 +16,8 @@
 //!   efforts for given accelerations.
 //! * [`Chain::close`] finds states in which a closed chain fulfils its loop constraint.
 //! * [`simulate()`] integrates the motions of the bodies instead of the hinge coordinates.
-//! * [`random_chain()`], [`random_mechanism`], [`random_tree()`], [`random_state`],
-//!   [`random_efforts`] and [`random_motion`] make repeatable test material.
+//! * [`random_chain()`], [`random_mechanism`], [`random_tree()`], [`random_described_tree`],
+//!   [`random_state`], [`random_efforts`] and [`random_motion`] make repeatable test material.
 //! * [`Chain::to_macro_text`] prints a chain in the description language of the project.
 //!
 //! All quantities are in SI units and angles in radians, except where a name says `degrees`.
@@ -25,6 +25,7 @@
 mod assembly;
 mod chain;
 mod closure;
+mod described;
 mod double_double;
 mod drives;
 mod equations;
@@ -35,19 +36,17 @@ mod inverse;
 mod load;
 mod mechanism;
 mod moved;
-mod parts;
 mod passive;
+mod paths;
 mod placement;
 mod random;
 mod random_chain;
+mod random_described;
 mod random_forces;
-mod random_parts;
-mod random_repeated;
 mod random_state;
 mod random_tree;
 mod recipe;
 mod relative;
-mod repeated;
 mod rotation;
 mod route;
 mod saddle;
@@ -56,6 +55,7 @@ mod solve;
 mod strain;
 mod text;
 mod text_hinge;
+mod written_out;
 
 pub use chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity, State};
 pub use drives::{Drives, FrameMotion, HingeMotion, LoadInput};
@@ -63,8 +63,7 @@ pub use hinge::{Axis, Group, Hinge, HingeKind, Limits, Source};
 pub use load::{Axes, BodyPoint, Load, Spring, SpringEnd};
 pub use random::Random;
 pub use random_chain::{random_chain, random_mechanism};
-pub use random_parts::random_part_tree;
-pub use random_repeated::random_repeated_tree;
+pub use random_described::{Features, random_described_tree};
 pub use random_state::{random_efforts, random_motion, random_state};
 pub use random_tree::{TreeRecipe, random_tree};
 pub use recipe::{Ends, HingeChoice, Recipe};

@@ -67,7 +67,7 @@ pub enum BodyPoint {
     Named {
         /// The snake_case name.
         name: String,
-        /// The position in m, in the body frame.
+        /// The position in m, in the body frame. It is ignored if the body has a point of this name.
         position: [f64; 3],
     },
 }
