@@ -237,3 +237,8 @@ fn a_rope_keeps_its_energy() {
         assert!(after.kinetic > 1e-4 && off < 1e-8, "{off:e} of {after:?}");
     });
 }
+
+mod long {
+    mod counted;
+    mod trees;
+}
