@@ -1,8 +1,8 @@
-//! The cases: two chains, each in single and in double precision.
+//! The cases: three chains, each in single and in double precision.
 
 use std::fmt;
 
-use models::{Arm, BallPendulum, Model};
+use models::{Arm, BallPendulum, Model, Satellite};
 
 /// A chain in a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +15,7 @@ pub struct Case {
 enum Chain {
     Ball,
     Arm,
+    Satellite,
 }
 
 /// The precision of a chain.
@@ -40,11 +41,13 @@ pub trait Visitor {
 }
 
 impl Case {
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 6] = [
         Self { chain: Chain::Ball, precision: Precision::Single },
         Self { chain: Chain::Ball, precision: Precision::Double },
         Self { chain: Chain::Arm, precision: Precision::Single },
         Self { chain: Chain::Arm, precision: Precision::Double },
+        Self { chain: Chain::Satellite, precision: Precision::Single },
+        Self { chain: Chain::Satellite, precision: Precision::Double },
     ];
 
     /// Returns the name of the image.
@@ -54,6 +57,8 @@ impl Case {
             (Chain::Ball, Precision::Double) => "ball_f64",
             (Chain::Arm, Precision::Single) => "arm_f32",
             (Chain::Arm, Precision::Double) => "arm_f64",
+            (Chain::Satellite, Precision::Single) => "satellite_f32",
+            (Chain::Satellite, Precision::Double) => "satellite_f64",
         }
     }
 
@@ -71,6 +76,9 @@ impl Case {
             (Chain::Arm, Precision::Single) => {
                 Some(Budget { instructions: 30_000, stack: 2048, code: None })
             }
+            (Chain::Satellite, Precision::Single) => {
+                Some(Budget { instructions: 40_000, stack: 2048, code: None })
+            }
             (_, Precision::Double) => None,
         }
     }
@@ -82,6 +90,8 @@ impl Case {
             (Chain::Ball, Precision::Double) => visitor.visit::<BallPendulum<f64>>(),
             (Chain::Arm, Precision::Single) => visitor.visit::<Arm<f32>>(),
             (Chain::Arm, Precision::Double) => visitor.visit::<Arm<f64>>(),
+            (Chain::Satellite, Precision::Single) => visitor.visit::<Satellite<f32>>(),
+            (Chain::Satellite, Precision::Double) => visitor.visit::<Satellite<f64>>(),
         }
     }
 }

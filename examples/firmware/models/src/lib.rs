@@ -4,10 +4,12 @@
 mod arm;
 mod number;
 mod pendulum;
+mod satellite;
 
 pub use arm::{Arm, ArmState};
 pub use number::{Hash, Number, Random};
 pub use pendulum::{BallPendulum, BallPendulumState};
+pub use satellite::{Satellite, SatelliteState};
 
 use mstmm::{Chain, ChainState, Error, Rk4, Scalar};
 

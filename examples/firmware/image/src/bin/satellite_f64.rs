@@ -1,0 +1,10 @@
+//! The satellite in double precision.
+#![no_std]
+#![no_main]
+
+use models::Satellite;
+
+#[image::entry]
+fn main() -> ! {
+    image::run::<Satellite<f64>>()
+}

@@ -1,0 +1,25 @@
+//! A tree: a satellite with two wings and a reaction wheel.
+
+use crate::{Model, Number};
+use mstmm::mstmm_chain;
+
+include!("../../../../tests/trees/models/satellite.chain");
+
+/// The torque on the wheel for a rate of the hub, in N m s/rad.
+const DAMPING: f64 = 5.0;
+
+impl<T: Number> Model for Satellite<T> {
+    const STEP: f64 = 1e-3;
+
+    fn new() -> Self {
+        Satellite::new()
+    }
+
+    fn start(&self) -> Self::State {
+        self.initial_state()
+    }
+
+    fn inputs(&self, state: &Self::State) -> Self::Inputs {
+        SatelliteInputs { axle: T::constant(DAMPING) * state.hub().rate().z }
+    }
+}
