@@ -1,5 +1,5 @@
-//! All integrators on generated chains: their orders with quaternions and springs, with loops and with
-//! prescribed hinges, the energy, and springs too stiff for the step.
+//! All integrators on generated chains: their orders with quaternions and springs, with loops, with
+//! prescribed hinges and with branches, the energy, and springs too stiff for the step.
 
 mod support;
 
@@ -51,6 +51,40 @@ mstmm_chain! {
         hinge c { start = -120 deg; }
         hinge d { start = 100 deg; stiffness = 3; damping = 0.2; }
     }
+    /// A floating tree with two legs of a part, a spring between them, and a repeated part with a
+    /// branch; one hinge of it has a prescribed motion.
+    chain Branched {
+        gravity = [0, -9.8, 0] m/s^2;
+        body Trunk {
+            mass = 3 kg;
+            com = [0.1, 0, 0.05] m;
+            output = [0.5, 0, 0] m;
+            inertia = tensor(0.3, 0.4, 0.5, 0.01, 0.02, -0.03) kg*m^2 about com;
+            point left = [0.2, 0.3, 0] m;
+            point right = [0.2, -0.3, 0] m;
+        }
+        body Link {
+            mass = 1 kg;
+            com = [0.3, 0.1, 0] m;
+            output = [0.6, 0, 0.2] m;
+            inertia = diag(0.1, 0.12, 0.15) kg*m^2 about com;
+        }
+        part Leg(side) {
+            universal(x, y) hip -> Link thigh -> pin(y) knee -> Link shank;
+            hinge hip { start = [side*10, 20] deg; stiffness = 15; damping = 0.5; }
+            hinge knee { start_rate = side*1 rad/s; stiffness = 20; damping = 0.3; }
+        }
+        Trunk trunk -> repeat 2 { ball a -> Link link; link.output -> pin(z) b -> Link rung; };
+        trunk.left -> Leg(1) left;
+        trunk.right -> pin(z) shaker -> Link arm -> Leg(-1) right;
+        body trunk { start_rate = [0.3, 1, 0.2] rad/s; }
+        hinge a { stiffness = 30; damping = 0.4; start_rate = [0.5, 0, 1] rad/s; }
+        hinge b { stiffness = 10; }
+        hinge shaker { motion = input; }
+        spring cord {
+            on = left.shank.output; to = right.shank.output; stiffness = 30; damping = 1; length = 0.5 m;
+        }
+    }
     /// A pendulum on a hinge with a prescribed motion.
     chain Shaken {
         gravity = [0, -9.8, 0] m/s^2;
@@ -67,10 +101,10 @@ mstmm_chain! {
 }
 
 /// θ = 0.6 sin 5t
-fn shaking(time: f64) -> ShakenInputs<f64> {
+fn shaking(time: f64) -> HingeMotion<PinState<f64>, f64> {
     let (sine, cosine) = (5.0 * time).sin_cos();
     let state = PinState::new(0.6 * sine, 3.0 * cosine);
-    ShakenInputs { shaker: HingeMotion { state, acceleration: -15.0 * sine } }
+    HingeMotion { state, acceleration: -15.0 * sine }
 }
 
 /// How a method is made for a step.
@@ -137,7 +171,12 @@ fn methods_have_their_orders() {
     }
     check!("springs", Sprung::<f64>::new(), |chain: &Sprung<f64>, _| chain.no_inputs());
     check!("loop", Loop::<f64>::new(), |chain: &Loop<f64>, _| chain.no_inputs());
-    check!("shaken", Shaken::<f64>::new(), |_: &Shaken<f64>, time| shaking(time));
+    check!("shaken", Shaken::<f64>::new(), |_: &Shaken<f64>, time| ShakenInputs {
+        shaker: shaking(time)
+    });
+    check!("branches", Branched::<f64>::new(), |_: &Branched<f64>, time| BranchedInputs {
+        shaker: shaking(time)
+    });
 }
 
 /// The error of order five over the number of evaluations.

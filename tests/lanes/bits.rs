@@ -5,7 +5,8 @@ use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use mstmm::{ChainState, Error, LinearlyImplicitEuler, Newmark, Rk4, Scalar, SemiImplicitEuler};
 
 use super::chains::{
-    Afloat, Arm, ArmByTransfer, Balls, Loop, Parallelogram, Repeated, Slides, Told, Train,
+    Afloat, Arm, ArmByTransfer, Balls, Branched, Loop, Parallelogram, Repeated, Slides, Told,
+    ToldLoop, Train,
 };
 use super::numbers::{Lanes, numbers, of_lane, same_bits};
 use super::sample::{Case, Sample, each, wide};
@@ -125,6 +126,8 @@ chains! {
     repeated_parts: Repeated;
     a_line: Train;
     prescribed_motions: Told;
+    a_tree_with_parts_and_repetitions: Branched;
+    a_loop_with_a_prescribed_branch: ToldLoop;
 }
 
 #[test]

@@ -198,6 +198,80 @@ mstmm_chain! {
         hinge b { stiffness = 10; damping = 0.3; }
     }
 
+    /// A tree: a floating trunk with two legs of a part, a spring between them, and a repeated part
+    /// with branches, a parameter and inputs for every repetition.
+    pub chain Branched {
+        gravity = [0, -9.8, 0] m/s^2;
+        param knot[2] = 0.1 kg;
+        body Trunk {
+            mass = 3 kg;
+            com = [0.1, 0, 0.05] m;
+            output = [0.5, 0, 0] m;
+            inertia = tensor(0.3, 0.4, 0.5, 0.01, 0.02, -0.03) kg*m^2 about com;
+            point left = [0.2, 0.3, 0] m turned rpy(10, 0, 20) deg;
+            point right = [0.2, -0.3, 0] m turned rpy(-10, 0, -20) deg;
+        }
+        body Link {
+            mass = 1 kg + knot;
+            com = [0.3, 0.1, 0] m;
+            output = [0.6, 0, 0.2] m turned rpy(20, -30, 50) deg;
+            inertia = tensor(0.1, 0.12, 0.09, 0.01, 0.02, -0.01) kg*m^2 about com;
+            point side = [0.2, 0.2, 0] m;
+        }
+        body Rung {
+            mass = 0.5 kg;
+            com = [0.1, 0.2, 0] m;
+            inertia = diag(0.02, 0.01, 0.025) kg*m^2 about com;
+            point end = [0.2, 0.4, 0.1] m;
+        }
+        part Leg(side) {
+            body Thigh {
+                mass = 0.8 kg;
+                com = [0, side*0.02, -0.2] m;
+                output = [0, 0, -0.4] m;
+                inertia = tensor(0.02, 0.02, 0.005, side*0.001, 0, side*0.002) kg*m^2 about com;
+            }
+            universal(x, y) hip -> Thigh thigh -> pin(y) knee -> Rung shank;
+            hinge hip { damping = 0.2; }
+            hinge knee { torque = input; limits = [-0.2, 0.2]; limit_stiffness = 200; }
+        }
+        Trunk trunk -> repeat 2 { ball a -> Link link; link.side -> pin(z) b -> Rung rung; };
+        trunk.left -> Leg(1) left;
+        trunk.right -> Leg(-1) right;
+        hinge a { stiffness = 20; friction = 0.2 N*m; friction_speed = 0.1 rad/s; }
+        hinge b { torque = input; }
+        spring cord { on = left.shank.end; to = right.shank.end; stiffness = 40; length = 0.4 m; }
+        load push { on = rung; at = end; force = input; }
+    }
+
+    /// A tree on a hinge with a prescribed motion, in a loop with a branch.
+    pub plane chain ToldLoop {
+        gravity = [0, -9.8] m/s^2;
+        param load = 0 kg;
+        body Crank {
+            mass = 1 kg; com = [0.2, 0] m; inertia = 0.02 kg*m^2 about com; output = [0.4, 0] m;
+        }
+        body Coupler {
+            mass = 2 kg; com = [0.5, 0.1] m; inertia = 0.2 kg*m^2 about com;
+            output = [1.1, 0] m; point hook = [0.5, 0.3] m turned 20 deg;
+        }
+        body Rocker {
+            mass = 1.5 kg; com = [0.3, 0] m; inertia = 0.1 kg*m^2 about com; output = [0.7, 0] m;
+        }
+        body Weight {
+            mass = 1 kg + load; com = [0, -0.2] m; inertia = 0.02 kg*m^2 about com;
+            output = [0, -0.4] m;
+        }
+        ground -> pin a -> Crank crank -> pin b -> Coupler coupler -> pin c -> Rocker rocker
+            -> pin d -> ground at [0.9, 0] m;
+        coupler.hook -> pin shaker -> Weight near -> pin swing -> Weight far;
+        hinge a { start = 60 deg; torque = input; }
+        hinge b { start = -50 deg; stiffness = 5; damping = 0.3; }
+        hinge c { start = -120 deg; }
+        hinge d { start = 100 deg; stiffness = 3; damping = 0.2; }
+        hinge shaker { motion = input; }
+    }
+
     /// A rod that may be so thin that it has no inertia about its axis.
     pub chain Thin {
         gravity = [0, -9.8, 0] m/s^2;
@@ -255,6 +329,16 @@ sample!(Told: |chain, inputs, draw| { chain.set_payload(draw(0.0, 3.0)) } {
         ),
         acceleration: [(); 6].map(|()| draw(-5.0, 5.0)).into(),
     };
+    let state = PinState::new(draw(-3.0, 3.0), draw(-3.0, 3.0));
+    inputs.shaker = HingeMotion { state, acceleration: draw(-5.0, 5.0) };
+});
+sample!(Branched: |chain, inputs, draw| { chain.set_knot(|_| draw(0.0, 1.0)) } {
+    (inputs.left_knee, inputs.right_knee) = (draw(-5.0, 5.0), draw(-5.0, 5.0));
+    inputs.b = [(); 2].map(|()| draw(-5.0, 5.0));
+    inputs.push_force = [(); 2].map(|()| three(draw));
+});
+sample!(ToldLoop: |chain, inputs, draw| { chain.set_load(draw(0.0, 1.0)) } {
+    inputs.a = draw(-5.0, 5.0);
     let state = PinState::new(draw(-3.0, 3.0), draw(-3.0, 3.0));
     inputs.shaker = HingeMotion { state, acceleration: draw(-5.0, 5.0) };
 });
