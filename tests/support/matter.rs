@@ -46,22 +46,30 @@ impl Lump {
     /// What is missing in Newton's law and in Euler's, relative to the largest term in either.
     pub fn imbalance(&self, ends: [&Point<f64>; 2], gravity: [f64; 3]) -> f64 {
         let [input, output] = ends;
+        self.imbalance_of_joined(input, &[output], gravity)
+    }
+
+    /// The same for a body with any number of points at which something is joined.
+    pub fn imbalance_of_joined(
+        &self,
+        input: &Point<f64>,
+        outputs: &[&Point<f64>],
+        gravity: [f64; 3],
+    ) -> f64 {
         let body = self.at(input);
-        let to_output = output.position() - input.position() - body.arm;
-        let forces = [
-            input.force(),
-            -output.force(),
-            Vector3::from(gravity) * self.mass,
-            -body.acceleration * self.mass,
-        ];
-        let torques = [
+        let mut forces =
+            vec![input.force(), Vector3::from(gravity) * self.mass, -body.acceleration * self.mass];
+        let mut torques = vec![
             -input.moment(),
-            output.moment(),
             (-body.arm).cross(&input.force()),
-            to_output.cross(&-output.force()),
             -(body.inertia * body.spin_rate),
             -body.spin.cross(&(body.inertia * body.spin)),
         ];
+        for output in outputs {
+            let to_output = output.position() - input.position() - body.arm;
+            forces.push(-output.force());
+            torques.extend([output.moment(), to_output.cross(&-output.force())]);
+        }
         remainder(&forces).max(remainder(&torques))
     }
 
