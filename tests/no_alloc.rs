@@ -27,6 +27,39 @@ mstmm_chain! {
         ground -> ball shoulder -> Link upper -> pin(z) elbow -> Link lower;
         hinge shoulder, elbow { torque = input; }
     }
+
+    /// A tree with a part, and a repeated part with a branch.
+    pub chain Walker {
+        gravity = [0, 0, -9.8] m/s^2;
+        param load[2] = 0.1 kg;
+        body Trunk {
+            mass = 5 kg;
+            com = [0, 0, 0.1] m;
+            output = [0.5, 0, 0] m;
+            inertia = diag(0.2, 0.3, 0.4) kg*m^2 about com;
+            point left = [0, 0.2, 0] m;
+            point right = [0, -0.2, 0] m;
+        }
+        body Link {
+            mass = 1 kg;
+            com = [0.2, 0, 0] m;
+            output = [0.4, 0, 0] m;
+            inertia = diag(0.01, 0.02, 0.02) kg*m^2 about com;
+        }
+        body Weight {
+            mass = 1 kg + load;
+            com = [0.1, 0, 0] m;
+            inertia = diag(0.01, 0.01, 0.01) kg*m^2 about com;
+        }
+        part Leg(side) {
+            universal(x, y) hip -> Link thigh -> pin([0, side, 0]) knee -> Link shank;
+            hinge hip, knee { torque = input; }
+        }
+        Trunk trunk -> repeat 2 { ball joint -> Link link; link.output -> pin(z) side -> Weight weight; };
+        trunk.left -> Leg(1) left;
+        trunk.right -> Leg(-1) right;
+        spring cord { on = left.shank.output; to = right.shank.output; stiffness = 50; length = 0.4 m; }
+    }
 }
 
 const _: () = assert!(!needs_drop::<Arm<f64>>());
@@ -38,21 +71,43 @@ const _: () = assert!(!needs_drop::<Point<f64>>());
 const _: () = assert!(!needs_drop::<Error>());
 const _: () = assert!(!needs_drop::<Rk4<Arm<f64>>>());
 const _: () = assert!(!needs_drop::<Dopri5<Arm<f64>>>());
+const _: () = assert!(!needs_drop::<Walker<f64>>());
+const _: () = assert!(!needs_drop::<WalkerState<f64>>());
+const _: () = assert!(!needs_drop::<WalkerInputs<f64>>());
+const _: () = assert!(!needs_drop::<WalkerWorkspace<f64>>());
+const _: () = assert!(!needs_drop::<WalkerParameters<f64>>());
+const _: () = assert!(!needs_drop::<Dopri5<Walker<f64>>>());
+
+/// Calls the integrators and all functions of a chain.
+macro_rules! run {
+    ($chain:expr) => {{
+        let chain = &$chain;
+        let mut state = chain.initial_state();
+        Rk4::new(1e-3).step(chain, &mut state, |_, _| chain.no_inputs())?;
+        Newmark::new(1e-3).step(chain, &mut state, |_, _| chain.no_inputs())?;
+        LinearlyImplicitEuler::new(1e-3).step(chain, &mut state, |_, _| chain.no_inputs())?;
+        Dopri5::new(1e-6, 1e-6).advance_to(chain, &mut state, 0.1, |_, _| chain.no_inputs())?;
+        let mut at = chain.workspace();
+        chain.solve_into(&state, &chain.no_inputs(), &mut at)?;
+        let energy = at.kinetic_energy() + at.potential_energy();
+        // Ten roundings of some ten J.
+        assert!((chain.energy(&state).total() - energy).abs() < 1e-12);
+        Ok(())
+    }};
+}
 
 #[test]
 fn everything_runs_in_a_crate_without_alloc() -> Result<(), Error> {
-    let mut chain = Arm::<f64>::new();
-    chain.set_payload(0.7)?;
-    let mut state = chain.initial_state();
-    Rk4::new(1e-3).step(&chain, &mut state, |_, _| chain.no_inputs())?;
-    Dopri5::new(1e-6, 1e-6).advance_to(&chain, &mut state, 0.1, |_, _| chain.no_inputs())?;
-    let mut at = chain.workspace();
-    chain.solve_into(&state, &chain.no_inputs(), &mut at)?;
-    assert!(
-        (chain.energy(&state).total() - (at.kinetic_energy() + at.potential_energy())).abs()
-            < 1e-12
-    );
-    Ok(())
+    let mut arm = Arm::<f64>::new();
+    arm.set_payload(0.7)?;
+    run!(arm)
+}
+
+#[test]
+fn a_tree_runs_in_a_crate_without_alloc() -> Result<(), Error> {
+    let mut walker = Walker::<f64>::new();
+    walker.set_load(|index| index as f64)?;
+    run!(walker)
 }
 
 #[test]

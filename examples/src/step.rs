@@ -60,6 +60,42 @@ mstmm_chain! {
                -> pin d -> ground at [0.8, 0] m;
         hinge drive { torque = input; }
     }
+
+    /// A floating trunk with two legs, and a tail of three links with a spike each.
+    pub chain Walker {
+        gravity = [0, 0, -9.8] m/s^2;
+        param load[3] = 0 kg;
+        body Trunk {
+            mass = 5 kg;
+            com = [0, 0, 0.1] m;
+            output = [-0.3, 0, 0] m;
+            inertia = diag(0.2, 0.3, 0.4) kg*m^2 about com;
+            point left = [0, 0.2, 0] m;
+            point right = [0, -0.2, 0] m;
+        }
+        body Link {
+            mass = 1 kg;
+            com = [0, 0, -0.2] m;
+            output = [0, 0, -0.4] m;
+            inertia = diag(0.02, 0.02, 0.01) kg*m^2 about com;
+        }
+        body Spike {
+            mass = 0.1 kg + load;
+            com = [0.1, 0, 0] m;
+            inertia = diag(1e-4, 1e-4, 1e-4) kg*m^2 about com;
+        }
+        part Leg(side) {
+            universal(x, y) hip -> Link thigh -> pin([0, side, 0]) knee -> Link shank;
+            hinge hip, knee { torque = input; }
+        }
+        Trunk trunk -> repeat 3 { ball joint -> Link link; link.output -> pin(y) root -> Spike spike; };
+        trunk.left -> Leg(1) left;
+        trunk.right -> Leg(-1) right;
+        hinge joint { stiffness = 5 N*m/rad; damping = 0.1 N*m*s/rad; }
+        spring cord {
+            on = left.shank.output; to = right.shank.output; stiffness = 50 N/m; length = 0.4 m;
+        }
+    }
 }
 
 /// One step of the pendulum in single precision.
@@ -140,4 +176,26 @@ pub fn four_bar_closed(chain: &FourBar<f64>, state: &mut FourBarState<f64>) -> R
 #[inline(never)]
 pub fn satellite_payload(chain: &mut Satellite<f64>, payload: f64) -> Result<(), Error> {
     chain.set_payload(payload)
+}
+
+/// One step of the walker, which is a tree.
+#[inline(never)]
+pub fn walker(
+    chain: &Walker<f32>,
+    rk4: &mut Rk4<Walker<f32>>,
+    state: &mut WalkerState<f32>,
+    knees: [f32; 2],
+) -> Result<(), Error> {
+    let [left_knee, right_knee] = knees;
+    rk4.step(chain, state, |_, _| WalkerInputs { left_knee, right_knee, ..chain.no_inputs() })
+}
+
+/// All results at all connection points of the walker.
+#[inline(never)]
+pub fn walker_loads(
+    chain: &Walker<f64>,
+    state: &WalkerState<f64>,
+    at: &mut WalkerWorkspace<f64>,
+) -> Result<(), Error> {
+    chain.solve_into(state, &chain.no_inputs(), at)
 }
