@@ -85,7 +85,7 @@ fn head<'a>(
         settings: Vec::new(),
         parameters: Vec::new(),
         parts: Vec::new(),
-        content: ContentSyntax::new(),
+        content: ContentSyntax::empty(),
     };
     Ok((def, inside))
 }

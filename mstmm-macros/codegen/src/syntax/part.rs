@@ -50,7 +50,7 @@ pub(super) fn part(
         None => Vec::new(),
     };
     let (mut inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
-    let mut content = ContentSyntax::new();
+    let mut content = ContentSyntax::empty();
     while !inside.is_empty() {
         if let Err(error) = attribute::docs(&mut inside) {
             diagnostics.push(error);

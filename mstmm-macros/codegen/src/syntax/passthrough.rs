@@ -11,8 +11,21 @@ pub struct Passthrough {
     pub attributes: Vec<syn::Attribute>,
     /// The Rust paths of constants, in the order of [`crate::model::Symbol::Constant`].
     pub constants: Vec<TokenStream>,
+    /// The instances of parts, in the order of the text.
+    pub instances: Vec<PartInstance>,
     /// Uses of names.
     pub references: References,
+}
+
+/// An instance of a part.
+#[derive(Debug)]
+pub struct PartInstance {
+    /// Its path: `rex.lf`.
+    pub path: String,
+    /// The name of the part.
+    pub part: Ident,
+    /// The doc comments of the part.
+    pub docs: Vec<syn::Attribute>,
 }
 
 /// Uses of names that an editor can follow to their definitions.

@@ -59,7 +59,7 @@ pub struct ContentSyntax {
 
 impl ContentSyntax {
     /// Contains nothing.
-    pub fn new() -> Self {
+    pub fn empty() -> Self {
         ContentSyntax { routes: Vec::new(), blocks: Vec::new(), complete: true }
     }
 }

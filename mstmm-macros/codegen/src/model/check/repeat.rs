@@ -6,7 +6,7 @@ use crate::model::lower::{Draft, RouteItem, WrittenRepeat};
 use crate::syntax::RepeatSyntax;
 
 /// Returns the repeated parts if all routes are readable.
-fn repeats<'d, 'a>(draft: &'d Draft<'a>) -> impl Iterator<Item = &'a WrittenRepeat<'a>> {
+fn repeats<'a>(draft: &Draft<'a>) -> impl Iterator<Item = &'a WrittenRepeat<'a>> {
     let is_readable = readable_routes(draft).next().is_some();
     draft.written.repeats.iter().filter(move |_| is_readable)
 }

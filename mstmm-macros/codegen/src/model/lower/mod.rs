@@ -78,6 +78,7 @@ pub(super) fn draft<'a>(
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
         constants: context.constants,
+        instances: written.instances(),
         references,
     };
     let constants = passthrough.constants.len();

@@ -190,6 +190,12 @@ fn uses_of_names_in_parts_are_those_of_the_first_instance() {
         "chain A {{ {ROD} param m = 2 kg; {LEG} Rod trunk; trunk.tip -> Leg(m, 1) lf; trunk.output -> Leg(m, -1) rf; }}"
     );
     let (_, passthrough) = chain(&source);
+    let instances: Vec<String> = passthrough
+        .instances
+        .iter()
+        .map(|instance| format!("{} {}", instance.part, instance.path))
+        .collect();
+    assert_eq!(instances, ["Leg lf", "Leg rf"]);
     let text =
         |names: &[proc_macro2::Ident]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
     assert_eq!(text(&passthrough.references.types), ["Rod", "LegHip"]);

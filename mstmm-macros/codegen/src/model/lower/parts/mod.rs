@@ -13,7 +13,7 @@ use syn::ext::IdentExt;
 
 use crate::diag::Diagnostics;
 use crate::syntax::{
-    BlockSyntax, ChainSyntax, PartSyntax, RepeatSyntax, RouteItemSyntax, RouteSyntax,
+    BlockSyntax, ChainSyntax, PartInstance, PartSyntax, RepeatSyntax, RouteItemSyntax, RouteSyntax,
 };
 use substitute::Substitution;
 use writer::RouteWriter;
@@ -38,6 +38,18 @@ pub(crate) struct WrittenOut<'a> {
     pub complete: bool,
     /// Whether every route was readable.
     pub routes_are_complete: bool,
+}
+
+impl WrittenOut<'_> {
+    /// Returns the instances of parts, in the order of the text.
+    pub fn instances(&self) -> Vec<PartInstance> {
+        let instance = |scope: &Scope| {
+            let (name, part) = (scope.name.as_ref()?, scope.part?);
+            let (path, docs) = (name.path.clone(), part.docs.clone());
+            Some(PartInstance { path, part: part.name.clone(), docs })
+        };
+        self.scopes.iter().filter_map(instance).collect()
+    }
 }
 
 /// The chain or an instance of a part: the names that its text may use.
