@@ -121,6 +121,14 @@ fn repeat(
     } else {
         routes = repeated_routes(inside, separators, diagnostics);
     }
+    if let Some(place) = routes.first().and_then(|first| first.start.as_ref()) {
+        let message = format!(
+            "the first route in a `repeat` continues the route around it: remove `{place} ->`, or \
+             write a branch after the first route"
+        );
+        diagnostics.error_over(place.extent(), message);
+        route.complete = false;
+    }
     let count = count.map_err(|error| {
         diagnostics.push(error);
         route.complete = false;

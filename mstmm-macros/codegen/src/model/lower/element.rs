@@ -2,14 +2,14 @@
 
 use proc_macro2::Ident;
 
-use super::body::BodyTypes;
+use super::body::{BodyTypes, is_type};
 use super::context::Context;
 use super::fields::listed;
 use super::hinge::{KINDS, Kind};
 use super::parts::{WrittenOut, snake_case};
 use super::route_item::RouteItem;
 use crate::diag::nearest;
-use crate::syntax::ArgumentsSyntax;
+use crate::syntax::{ArgumentsSyntax, PathSyntax};
 
 /// A hinge or a body as written.
 pub(super) struct UnresolvedElement<'a> {
@@ -170,9 +170,25 @@ impl<'a> UnresolvedElement<'a> {
 
     fn unknown_type(&self, types: &BodyTypes, context: &mut Context) {
         let word = self.word;
+        let blocks = self.written.blocks.iter().map(|block| (block, is_type(&block.syntax)));
+        let named = |names: &[PathSyntax]| names.iter().any(|path| path.end() == word);
         // A block in the wrong place, or that was not readable, is reported already.
-        let mut blocks = self.written.blocks.iter().flat_map(|block| &block.syntax.names);
-        if !self.written.complete || blocks.any(|path| path.end() == word) {
+        let mut misplaced = blocks.clone().filter(|(_, is_type)| !is_type);
+        if !self.written.complete || misplaced.any(|(block, _)| named(&block.syntax.names)) {
+            return;
+        }
+        // Another part has the type.
+        let mut types_of_parts = blocks.filter(|(_, is_type)| *is_type);
+        let part = types_of_parts.find_map(|(block, _)| {
+            let part = self.written.scopes[block.scope].part?;
+            named(&block.syntax.names).then_some(&part.name)
+        });
+        if let Some(part) = part {
+            let message = format!(
+                "only part `{part}` knows the type `{word}`: to use it here, write the type \
+                 outside of the part"
+            );
+            context.diagnostics.error(word.span(), message);
             return;
         }
         let parts = self.written.parts.iter().copied();

@@ -128,6 +128,20 @@ fn branches_of_a_repeat_begin_in_it() {
 }
 
 #[test]
+fn the_first_route_of_a_repeat_continues_the_outer_one() {
+    for place in ["beam.tip", "nonsense.tip", "last.link.tip"] {
+        let message = format!("the first route in a `repeat` continues …: remove `{place} ->`, …");
+        expect_all(
+            &format!(
+                "chain A {{ {ROD} ground -> pin root -> Rod beam \
+                 -> repeat 3 {{ {place} -> pin knot -> Rod link }}; }}"
+            ),
+            &[(place, &message)],
+        );
+    }
+}
+
+#[test]
 fn the_previous_repetition_has_a_first_value() {
     let branch = "last.link.tip -> pin a -> Rod x;";
     expect_repeat("from link.tip = beam.tip", branch, "", &[]);

@@ -122,6 +122,24 @@ fn parts_are_defined_before_the_first_route() {
 }
 
 #[test]
+fn a_type_in_a_part_is_known_in_it_only() {
+    let foot = "part Leg { body Foot { mass = 1 kg; com = [1, 0, 0] m; \
+                inertia = diag(1, 1, 1) kg*m^2 about com; } pin a -> Rod b -> pin c -> Foot d; }";
+    let message = "only part `Leg` knows the type `Foot`: to use it here, write the type outside \
+                   of the part";
+    expect_parts(
+        foot,
+        "base.tip -> Leg leg; base.output -> pin e -> Foot f;",
+        &[("Foot", message)],
+    );
+    expect_parts(
+        &format!("{foot} part Arm {{ pin a -> Foot b; }}"),
+        "base.tip -> Leg leg; base.output -> Arm arm; base.tip -> Arm other;",
+        &[("Foot", message)],
+    );
+}
+
+#[test]
 fn parts_have_no_ends_and_no_settings() {
     let part = |content: &str, errors: &[(&str, &str)]| {
         expect_parts(&format!("part Leg {{ {content} }}"), "base.tip -> Leg leg;", errors);
