@@ -8,7 +8,8 @@
 pub mod frames {}
 
 #[doc = include_str!("terms.md")]
-#[doc(alias = "URDF", alias = "Jacobian", alias = "mass matrix", alias = "crba", alias = "sensor")]
+#[doc(alias("URDF", "xacro", "SDF", "MJCF", "Jacobian", "mass matrix", "crba", "sensor"))]
+#[doc(alias("tree", "branch", "site"))]
 pub mod terms {}
 
 pub mod hinges;
