@@ -1,8 +1,9 @@
 //! The layouts of generated arrays, and expressions for their segments.
 
 use super::EmitContext;
-use crate::compile::{layouts, outputs};
+use crate::compile::{Compiled, layouts, outputs};
 use crate::ids::RepeatId;
+use crate::model::{Chain, Layout};
 use crate::program::{ArrayLayout, ArrayRole, Segment};
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -12,25 +13,45 @@ pub fn usize_literal(value: usize) -> Literal {
     Literal::usize_unsuffixed(value)
 }
 
+/// The layouts of arrays with entries for all hinges or for all points.
+pub struct ArrayLayouts {
+    coordinates: ArrayLayout,
+    rates: ArrayLayout,
+    all_rates: ArrayLayout,
+    points: ArrayLayout,
+}
+
+impl ArrayLayouts {
+    /// Returns the layouts of a chain.
+    pub fn of(chain: &Chain, layout: &Layout, compiled: &Compiled) -> Self {
+        ArrayLayouts {
+            coordinates: layouts::coordinates(chain, layout),
+            rates: layouts::rates(chain, layout),
+            all_rates: layouts::all_rates(chain, layout),
+            points: layouts::points(chain, &compiled.point_storage.of),
+        }
+    }
+}
+
 impl EmitContext<'_> {
     /// Returns the layout of the joint coordinates `q`.
-    pub fn coordinates(&self) -> ArrayLayout {
-        layouts::coordinates(self.chain, self.layout)
+    pub fn coordinates(&self) -> &ArrayLayout {
+        &self.layouts.coordinates
     }
 
     /// Returns the layout of the joint rates `v`.
-    pub fn rates(&self) -> ArrayLayout {
-        layouts::rates(self.chain, self.layout)
+    pub fn rates(&self) -> &ArrayLayout {
+        &self.layouts.rates
     }
 
     /// Returns the layout of one entry for every rate, including the rates of prescribed hinges.
-    pub fn all_rates(&self) -> ArrayLayout {
-        layouts::all_rates(self.chain, self.layout)
+    pub fn all_rates(&self) -> &ArrayLayout {
+        &self.layouts.all_rates
     }
 
     /// Returns the layout of one entry for every connection point.
-    pub fn points(&self) -> ArrayLayout {
-        layouts::points(self.chain, &self.compiled.point_storage.of)
+    pub fn points(&self) -> &ArrayLayout {
+        &self.layouts.points
     }
 
     /// Returns the layout of the stored values of all connection points; points without values form no segment.

@@ -5,10 +5,12 @@ use super::arrays::usize_literal;
 use super::const_expr::value_tokens;
 use super::point_access::{self, point_type};
 use crate::ids::PointId;
-use crate::model::{Body, BodyId, NamedPoint, PresentPoints, Value, listed};
+use crate::model::{
+    Body, BodyId, Chain, ConnectionPoints, NamedPoint, PresentPoints, Value, listed,
+};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// Returns the types of results at bodies with named points.
 pub fn types(cx: &EmitContext) -> TokenStream {
@@ -17,6 +19,9 @@ pub fn types(cx: &EmitContext) -> TokenStream {
     let first = bodies.filter(|(_, body)| seen.insert(body.result_name.to_string()));
     first.map(|(_, body)| of_type(cx, body)).collect()
 }
+
+/// How the results at bodies report named points, by the name of the type of these results.
+pub struct BodyReports(HashMap<String, Vec<Reported>>);
 
 /// How the results at bodies of one type report a named point.
 enum Reported {
@@ -28,20 +33,37 @@ enum Reported {
     Either(Ident),
 }
 
-/// Returns how the named points of a body's type are reported.
-fn reported(cx: &EmitContext, body: &Body) -> Vec<Reported> {
-    let same = |other: &Body| other.result_name == body.result_name;
-    let bodies: Vec<BodyId> =
-        cx.chain.bodies.enumerate().filter(|(_, it)| same(it)).map(|(id, _)| id).collect();
-    let point = |index: usize| {
-        let is_joined = |&&body: &&BodyId| joined(cx, body, index).is_some();
-        match bodies.iter().filter(is_joined).count() {
-            0 => Reported::Motion,
-            all if all == bodies.len() => Reported::Joined,
-            _ => Reported::Either(format_ident!("P{index}", span = Span::call_site())),
+impl BodyReports {
+    /// Returns how the bodies of a chain report their named points.
+    pub fn of(chain: &Chain, points: &ConnectionPoints) -> Self {
+        let mut bodies_of_types: HashMap<String, Vec<BodyId>> = HashMap::new();
+        for (id, body) in chain.bodies.enumerate().filter(|(_, body)| !body.points.is_empty()) {
+            bodies_of_types.entry(body.result_name.to_string()).or_default().push(id);
         }
-    };
-    (0..body.points.len()).map(point).collect()
+        let reported = |bodies: &[BodyId]| {
+            let point = |index: usize| {
+                let is_joined = |&&body: &&BodyId| points.joined.contains_key(&(body, index));
+                match bodies.iter().filter(is_joined).count() {
+                    0 => Reported::Motion,
+                    all if all == bodies.len() => Reported::Joined,
+                    _ => Reported::Either(format_ident!("P{index}", span = Span::call_site())),
+                }
+            };
+            bodies
+                .first()
+                .map_or(0..0, |&first| 0..chain.bodies[first].points.len())
+                .map(point)
+                .collect()
+        };
+        let types = bodies_of_types.into_iter();
+        BodyReports(types.map(|(name, bodies)| (name, reported(&bodies))).collect())
+    }
+}
+
+/// Returns how the named points of a body, which has some, are reported.
+fn reported<'a>(cx: &'a EmitContext, body: &Body) -> &'a [Reported] {
+    let found = cx.body_reports.0.get(&body.result_name.to_string());
+    found.unwrap_or_else(|| bug!("body `{}` has no named points", body.path))
 }
 
 /// Returns the connection point at a named point, if hinges leave it.
@@ -67,7 +89,7 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
             Reported::Motion | Reported::Joined => None,
         })
         .collect();
-    let points = body.points.iter().zip(&reports);
+    let points = body.points.iter().zip(reports);
     let fields = points.clone().map(|(named, reported)| {
         let (field, stored) = (
             field(&named.name),
@@ -150,7 +172,7 @@ pub fn type_of(cx: &EmitContext, index: BodyId) -> TokenStream {
         return common(cx, body);
     }
     let (mstmm, point) = (&cx.mstmm, point_type(cx));
-    let types = reported(cx, body).into_iter().enumerate();
+    let types = reported(cx, body).iter().enumerate();
     let types = types.filter_map(|(number, reported)| match reported {
         Reported::Motion | Reported::Joined => None,
         Reported::Either(_) => Some(match joined(cx, index, number) {
@@ -186,7 +208,7 @@ pub fn result(
         return common;
     }
     let reports = reported(cx, body);
-    let points = body.points.iter().zip(&reports).enumerate().zip(vectors);
+    let points = body.points.iter().zip(reports).enumerate().zip(vectors);
     let fields = points.map(|((number, (named, reported)), vector)| {
         let value = match (reported, joined(cx, index, number)) {
             (Reported::Motion, _) => vector,

@@ -2,7 +2,9 @@
 
 use super::{EmitContext, drawing, routes};
 use crate::examine::Mobility;
-use crate::model::{Answer, Element, Parameter, Results, SolutionMethod, Value, listed};
+use crate::model::{
+    Answer, Attachment, Element, Parameter, Results, SolutionMethod, Value, listed,
+};
 use crate::program::{Cost, Procedure, SectionCost, by_heading};
 
 /// Returns the overview of a chain: route, picture, elements, degrees of freedom, method and operation counts.
@@ -106,7 +108,9 @@ fn row(cx: &EmitContext, element: Element) -> String {
     match element {
         Element::Body(index) => {
             let body = &cx.chain.bodies[index];
-            let floats = cx.chain.hinges.iter().find(|hinge| hinge.name == body.name);
+            let floats = cx.chain.hinges.iter().find(|hinge| {
+                hinge.outboard == Attachment::Input(index) && hinge.name == body.name
+            });
             let dof_count =
                 floats.map_or(String::new(), |hinge| hinge.kind.dof_count().to_string());
             let mass = body.mass.known().map_or(String::new(), |mass| format!(", {mass} kg"));

@@ -20,7 +20,7 @@ struct HingeSegments {
 
 impl HingeSegments {
     fn of(cx: &EmitContext, hinge: HingeId) -> Self {
-        let within = |layout: ArrayLayout, range: &Range<usize>| {
+        let within = |layout: &ArrayLayout, range: &Range<usize>| {
             let segment = *layout.segment_of(range.start);
             (segment, range.start - segment.first..range.end - segment.first)
         };
@@ -160,7 +160,7 @@ pub fn single_accessors(
         (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
     // The pattern counts from the nearer end, so that it stays short after a long repeated part.
     let change =
-        |layout: ArrayLayout, (segment, range): (&Segment, &Range<usize>), letter, array| {
+        |layout: &ArrayLayout, (segment, range): (&Segment, &Range<usize>), letter, array| {
             let names = (0..range.len()).map(|k| variable(letter, k));
             let before = segment.offset + range.start;
             let after = layout.total - before - range.len();

@@ -40,6 +40,8 @@ use crate::ids::{IdVec, SymbolId};
 use crate::model::{Chain, Layout};
 use crate::program::Argument;
 use crate::syntax::Passthrough;
+use arrays::ArrayLayouts;
+use body::BodyReports;
 pub use error_types::error_types;
 use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};
@@ -54,6 +56,8 @@ struct EmitContext<'a> {
     compiled: &'a Compiled,
     findings: &'a Findings,
     names: TypeNames,
+    layouts: ArrayLayouts,
+    body_reports: BodyReports,
     /// The variables of the unknowns.
     unknowns: IdVec<SymbolId, Ident>,
     /// The path of the crate `mstmm`.
@@ -71,7 +75,20 @@ pub fn expand(
 ) -> TokenStream {
     let names = TypeNames::of(chain);
     let unknowns = compiled.unknowns.iter().map(|unknown| variable(&unknown.name)).collect();
-    let cx = EmitContext { chain, passthrough, layout, compiled, findings, names, unknowns, mstmm };
+    let layouts = ArrayLayouts::of(chain, layout, compiled);
+    let body_reports = BodyReports::of(chain, &compiled.point_storage.of);
+    let cx = EmitContext {
+        chain,
+        passthrough,
+        layout,
+        compiled,
+        findings,
+        names,
+        layouts,
+        body_reports,
+        unknowns,
+        mstmm,
+    };
     let constructor = constructor::emit(&cx);
     let methods = methods::emit(&cx);
     let state = state::emit(&cx);

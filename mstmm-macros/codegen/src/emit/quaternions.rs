@@ -38,7 +38,7 @@ pub fn checks(cx: &EmitContext) -> TokenStream {
     let mut methods = TokenStream::new();
     let layout = cx.coordinates();
     let table: Vec<TokenStream> =
-        in_state(cx).into_iter().map(|entry| row(cx, &layout, entry)).collect();
+        in_state(cx).into_iter().map(|entry| row(cx, layout, entry)).collect();
     if !table.is_empty() {
         methods.extend(quote! {
             #[inline]
