@@ -22,8 +22,8 @@ impl Mechanism<'_> {
             motions[0] = self.bodies[0].motion_from_place(0, &first);
             known[0] = true;
         }
-        // Written order finds all bodies that hang on the start, and the reverse order those that
-        // hang on the finish.
+        // Written order finds all bodies that the start leads to, and the reverse order those that
+        // only the finish leads to.
         let (onwards, backwards) = (0..self.joints.len(), (0..self.joints.len()).rev());
         for number in onwards.clone().chain(backwards).chain(onwards) {
             let joint = &self.joints[number];

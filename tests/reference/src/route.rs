@@ -11,7 +11,7 @@ use crate::hinge::Hinge;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Route {
     /// What the input of the first element is attached to. It is [`End::Free`] only for bodies that
-    /// hang on the finish of this route.
+    /// only the finish of this route holds.
     pub start: End,
     /// The hinges and bodies in written order.
     pub elements: Vec<Element>,
