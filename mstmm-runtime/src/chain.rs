@@ -155,14 +155,15 @@ pub trait Chain {
 /// # Orders
 ///
 /// Coordinates [`q`](ChainState::coordinates), rates [`v`](ChainState::rates) and accelerations are in the order of the
-/// route, hinge by hinge. The floating base of a chain that is not held comes first. Hinges with a prescribed motion
+/// routes, hinge by hinge. The floating base of a chain that is not held comes first. Hinges with a prescribed motion
 /// have no entries. A repeated part is in the order of its repetitions: all hinges of the first repetition in the order
-/// of the route, then all hinges of the second one, and so on. So `repeat 2 { pin a -> Rod b -> slider c -> Rod d }` has
+/// of its routes, then all hinges of the second one, and so on. So `repeat 2 { pin a -> Rod b -> slider c -> Rod d }` has
 /// the rates a₀, c₀, a₁, c₁. The documentation of a state's type has a table of the indices of all hinges.
 ///
-/// The connection points that `points()` of a workspace returns are in the order of the route, too: the input of the
-/// first element, then the output of every element, repetition by repetition in a repeated part. The input of an
-/// element is the output of the element inboard of it.
+/// The connection points that `points()` of a workspace returns are in the order of the routes, too, repetition by
+/// repetition in a repeated part. In a chain of one route they are the input of the first element, then the output of
+/// every element, which is the input of the next one. In a tree each element adds its input, if no earlier element has
+/// this point, and its output; the named points of a body that hinges leave follow its output.
 pub trait GeneratedChain: Chain {
     /// The results of [`solve_into`](Self::solve_into).
     type Workspace;

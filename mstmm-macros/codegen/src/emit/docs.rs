@@ -87,7 +87,7 @@ fn mobility(cx: &EmitContext) -> Vec<String> {
     }
     let rates = if count == 1 { "rate" } else { "rates" };
     let Some(Mobility { dofs, constraints, redundant }) = cx.findings.mobility else {
-        return vec![format!(" {count} {rates}; the last hinge closes the loop.")];
+        return vec![format!(" {count} {rates}; {} closes the loop.", closing_hinge(cx))];
     };
     let mut lines = vec![format!(
         " Mobility {dofs}: {count} {rates}, of which the loop constraints remove {}.",
@@ -97,11 +97,22 @@ fn mobility(cx: &EmitContext) -> Vec<String> {
         lines.push(String::new());
         lines.push(format!(
             " **Warning: the loop constraints are redundant.** {redundant} of the {constraints} directions that \
-             the last hinge constrains follow from the others. The motion is unique, but the reactions are not: \
-             those of least norm are reported, and `closure()` of the workspace has the redundant directions."
+             {} constrains follow from the others. The motion is unique, but the reactions are not: \
+             those of least norm are reported, and `closure()` of the workspace has the redundant directions.",
+            closing_hinge(cx)
         ));
     }
     lines
+}
+
+/// Returns what the docs call the hinge that closes the loop.
+fn closing_hinge(cx: &EmitContext) -> String {
+    let closing = cx.layout.loop_hinges.first();
+    let closing = *closing.unwrap_or_else(|| bug!("an open chain has no closing hinge"));
+    match cx.chain.elements.last() {
+        Some(&Element::Hinge(last)) if last == closing => "the last hinge".into(),
+        _ => format!("hinge `{}`", cx.chain.hinges[closing].path),
+    }
 }
 
 fn row(cx: &EmitContext, element: Element) -> String {

@@ -6,15 +6,17 @@ use std::ops::Range;
 
 /// Returns the order of the coordinates and rates, with the indices of every hinge.
 pub fn of_state(cx: &EmitContext) -> Vec<String> {
+    let order = if is_chain(cx) { "route" } else { "text" };
     let mut lines: Vec<String> = vec![
-        " The entries of all hinges are in the order of the route. The floating base comes first, if there"
-            .into(),
+        format!(
+            " The entries of all hinges are in the order of the {order}. The floating base comes first, if there"
+        ),
         " is one. Hinges with a prescribed motion have no entries.".into(),
     ];
     if !cx.chain.repeats.is_empty() {
         lines.extend([
             " A repeated part is in the order of its repetitions: all its hinges of the first repetition in".into(),
-            " the order of the route, then all of the second, and so on.".into(),
+            format!(" the order of the {order}, then all of the second, and so on."),
         ]);
     }
     let (q, v) = (cx.coordinates(), cx.rates());

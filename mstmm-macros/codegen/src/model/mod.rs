@@ -55,13 +55,13 @@ pub struct Chain {
     pub parameters: Vec<Parameter>,
     /// How many constants are given as Rust paths: [`Symbol::Constant`] indexes them.
     pub constants: usize,
-    /// The bodies on the route, in the order written.
+    /// The bodies on the routes, in the order written.
     pub bodies: IdVec<BodyId, Body>,
-    /// The hinges: implied ones first, then those on the route in the order written. A chain that
-    /// begins and ends with a body has a floating base: an implied floating hinge from the ground
-    /// to the input of the first body, with the name of that body. A moving end is a massless body
-    /// with an implied hinge from the ground whose motion is prescribed; both have the name of the
-    /// end.
+    /// The hinges: implied ones first, then those on the routes in the order written. A chain whose
+    /// first route begins and ends with a body has a floating base: an implied floating hinge from
+    /// the ground to the input of the first body, with the name of that body. A moving end is a
+    /// massless body with an implied hinge from the ground whose motion is prescribed; both have
+    /// the name of the end.
     pub hinges: IdVec<HingeId, Hinge>,
     /// The elements of all routes in the order of the text, without implied hinges and moving ends:
     /// route by route; in a repeated part its first route, then its branches.
@@ -152,7 +152,7 @@ impl Dimension {
     }
 }
 
-/// An element of the route.
+/// An element of a route.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
     /// A body with an input and an output end.
@@ -232,7 +232,7 @@ pub struct Parameter {
 /// A rigid body. Its frame has its origin at the input point `I`.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The name on the route; in a part, the names of the path joined by `_`.
+    /// The name on its route; in a part, the names of the path joined by `_`.
     pub name: Ident,
     /// The path as written, for messages and docs: `fl.thigh`.
     pub path: String,
@@ -291,7 +291,7 @@ impl PresentPoints {
 /// The role of a body of the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// A body on the route.
+    /// A body on a route.
     Physical,
     /// A moving end; it has no mass.
     MovingEnd,

@@ -104,7 +104,8 @@ impl<'a, S: Scalar> Springs<'a, S> {
         self.far_forces().into_iter().for_each(add);
     }
 
-    /// Returns the energy of the springs in J whose end `on` is on this link, or at rest.
+    /// Returns the energy in J of the springs that this link accounts for: the link of the moving end, or
+    /// that of the end `on` if both ends move; `None` for those at rest.
     pub fn energy(&self, on: Option<LinkId>) -> S {
         let mut energy = S::zero();
         for (spring, span) in self.all() {

@@ -46,7 +46,7 @@ fn begin_message(draft: &Draft, route: RouteView, first: &RouteItem) -> Option<S
             None if names.instance_by_path(&name.path).is_some() => {
                 let instance = names.instance_by_path(&name.path)?;
                 let path = PathSyntax::name(name.joined.clone());
-                draft.resolved().is_part(&path, instance)
+                draft.resolved().part_message(&path, instance)
             }
             None => format!(
                 "`{name}` is not a body: a later route begins at a place of a body, as in \

@@ -90,7 +90,7 @@ pub(super) fn on(
             let instance = resolved.names.instance(resolved.written, scope, names);
             if let Some(instance) = instance {
                 let path = PathSyntax::name(word.clone());
-                return context.refuse(word, resolved.is_part(&path, instance));
+                return context.refuse(word, resolved.part_message(&path, instance));
             }
             resolved.unknown_body(names, scope, context)
         }

@@ -140,17 +140,17 @@ impl<'t, 'a> Resolved<'t, 'a> {
             };
         }
         if let Some(instance) = self.names.instance(self.written, scope, &path.names) {
-            return context.refuse(path.extent(), self.is_part(&shown, instance));
+            return context.refuse(path.extent(), self.part_message(&shown, instance));
         }
         if let Some(instance) = self.names.instance(self.written, scope, body) {
             let shown = PathSyntax { last: None, names: body.to_vec() };
-            return context.refuse(shown.extent(), self.is_part(&shown, instance));
+            return context.refuse(shown.extent(), self.part_message(&shown, instance));
         }
         self.unknown_body(body, scope, context)
     }
 
     /// Returns the message for an instance of a part in place of a body.
-    pub fn is_part(&self, shown: &PathSyntax, instance: usize) -> String {
+    pub fn part_message(&self, shown: &PathSyntax, instance: usize) -> String {
         let outer = &self.written.scopes[self.written.scopes[instance].parent];
         let example = self.items.iter().enumerate().find_map(|(index, item)| match item {
             RouteItem::Body { name, .. } if self.written.items[index].scope == instance => {
@@ -176,7 +176,7 @@ impl<'t, 'a> Resolved<'t, 'a> {
             return None;
         }
         if let [name] = body
-            && let Some(message) = self.is_type(name, scope)
+            && let Some(message) = self.type_message(name, scope)
         {
             return context.refuse(name, message);
         }
@@ -210,7 +210,7 @@ impl<'t, 'a> Resolved<'t, 'a> {
     }
 
     /// Returns the message for a type in place of a body.
-    fn is_type(&self, name: &Ident, scope: usize) -> Option<String> {
+    fn type_message(&self, name: &Ident, scope: usize) -> Option<String> {
         let index = self.types.find(scope, name)?;
         let body = self.items.iter().find_map(|item| match item {
             RouteItem::Body { body_type, name, .. } if *body_type == Some(index) => Some(name),
