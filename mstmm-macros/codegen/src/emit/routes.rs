@@ -6,7 +6,7 @@ use crate::model::{Attachment, Chain, Element, Role};
 /// an empty line, so that Markdown shows each by itself.
 pub fn written(chain: &Chain) -> Vec<String> {
     let mut routes: Vec<String> = vec![String::new()];
-    // The place at which the route goes on.
+    // The place at which the route continues.
     let mut end: Option<Attachment> = None;
     for (index, &element) in chain.elements.iter().enumerate() {
         let repeat = chain.repeats.iter().find(|repeat| repeat.elements.start == index);

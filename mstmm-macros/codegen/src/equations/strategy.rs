@@ -6,11 +6,11 @@
 //! D7 is the Panda, C7 has seven pins about alternating axes, A10 has ten pins in a plane, B3 to
 //! B100 have that many balls.
 //!
-//! Branches of one shape, such as the legs of a robot, are not run as one piece of code with constants
-//! of their own: each has its own straight-line code. Four legs of HyQ in a row on its trunk take 377 ns
+//! Branches of one shape, such as the legs of a robot, do not share a loop with constants for each of
+//! them: each has separate straight-line code. Four legs of HyQ in a row on its trunk cost 377 ns
 //! written out, 456 ns as a loop with equal constants and 497 ns with constants from memory, in a third of
 //! the code. Code that exceeds the first-level instruction cache of 32 KB costs less than that: on the same
-//! processor (Zen 5) one arm of G1 takes 0.11 ns an operation (20 KB), half of G1 0.14 (42 KB) and all of
+//! processor (Zen 5) one arm of G1 costs 0.11 ns an operation (20 KB), half of G1 0.14 (42 KB) and all of
 //! G1 0.15 (82 KB). Loops over its two legs and two arms would leave 45 KB.
 
 use crate::math::{

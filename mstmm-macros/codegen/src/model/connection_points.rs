@@ -4,7 +4,7 @@
 //! Every element has an input and an output. A hinge's output is the input of the body that it leads
 //! to. A hinge's input is the place that it leaves, if no other hinge leaves that place: the output or
 //! a named point of a body, or a frame on the ground. If several hinges leave one place, the place
-//! reports the sum of what they transmit, and the input of each is a point of its own with its share.
+//! reports the sum of what they transmit, and the input of each is a separate point with its share.
 //! The same holds for hinges that leave a body's input, whose force and moment are those of the hinge
 //! that leads to the body.
 //!

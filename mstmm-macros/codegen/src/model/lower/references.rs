@@ -8,8 +8,8 @@ use super::place::Resolved;
 use super::route_item::RouteItem;
 use crate::syntax::{BlockKeyword, References, ValueSyntax};
 
-/// Returns all names of elements in blocks after the route, and all names of body types. Of the instances of a part the
-/// first one stands for all.
+/// Returns all names of elements in blocks after the route, and all names of body types. Of the instances of a
+/// part, only the first is used.
 pub(super) fn references(resolved: Resolved) -> References {
     let Resolved { written, items, names, types } = resolved;
     let mut parts: HashSet<String> = HashSet::new();
