@@ -14,9 +14,12 @@ mod random {
 }
 mod support;
 
-use mstmm_reference::{Chain, Dimension, End, Ends, Random, SpringEnd, TreeRecipe, random_tree};
+use mstmm_reference::{
+    Chain, Dimension, End, Ends, Features, Random, SpringEnd, TreeRecipe, random_described_tree,
+    random_tree,
+};
 use random::compare::compare;
-use random::print::printed;
+use random::print::{printed, printed_as};
 use random::trees;
 
 /// The tree of a seed: all ends and dimensions; everything may occur. One has forty bodies.
@@ -42,6 +45,20 @@ fn tree(seed: u64) -> Chain {
 
 const LARGE: u64 = 13;
 
+/// The tree of a seed with parts, and its text; names of elements in the tree are those of methods.
+fn tree_of_parts(seed: u64) -> (String, Chain) {
+    let mut random = Random::new(seed);
+    let dimension = *random.choose(&[Dimension::Space, Dimension::Plane]);
+    let ends = Ends::ALL[seed as usize % Ends::ALL.len()];
+    let recipe = TreeRecipe::rich(&mut random, dimension, 1, ends);
+    let features = Features { parts: true, repeats: false };
+    random_described_tree(&mut random, &format!("Tree{seed}"), &recipe, features)
+}
+
+fn written_out(seed: u64) -> Chain {
+    tree_of_parts(seed).1
+}
+
 fn text() -> String {
     let mut text = String::from(
         "//! Printed from the seeds in `../random_trees.rs`; not to be edited.\n\n\
@@ -49,6 +66,10 @@ fn text() -> String {
     );
     for seed in SEEDS {
         text.push_str(&printed(&tree(seed)));
+    }
+    for seed in SEEDS_OF_PARTS {
+        let (description, tree) = tree_of_parts(seed);
+        text.push_str(&printed_as(&tree, &description));
     }
     text
 }
@@ -91,18 +112,19 @@ fn the_seeds_have_everything() {
 
 /// One test a seed.
 macro_rules! seeds {
-    ($($seed:literal $test:ident $tree:ident;)*) => {
-        const SEEDS: [u64; [$($seed),*].len()] = [$($seed),*];
+    ($seeds:ident $tree_of:ident; $($seed:literal $test:ident $tree:ident;)*) => {
+        const $seeds: [u64; [$($seed),*].len()] = [$($seed),*];
         $(
             #[test]
             fn $test() {
-                compare::<trees::$tree<f64>>(stringify!($tree), &tree($seed), $seed);
+                compare::<trees::$tree<f64>>(stringify!($tree), &$tree_of($seed), $seed);
             }
         )*
     };
 }
 
 seeds! {
+    SEEDS tree;
     0 seed_0 Tree0;
     1 seed_1 Tree1;
     2 seed_2 Tree2;
@@ -117,4 +139,14 @@ seeds! {
     11 seed_11 Tree11;
     12 seed_12 Tree12;
     13 seed_13 Tree13;
+}
+
+seeds! {
+    SEEDS_OF_PARTS written_out;
+    20 seed_20 Tree20;
+    21 seed_21 Tree21;
+    22 seed_22 Tree22;
+    23 seed_23 Tree23;
+    24 seed_24 Tree24;
+    25 seed_25 Tree25;
 }

@@ -7,7 +7,12 @@ const INDENT: &str = "    ";
 /// The call that makes a chain by both methods and gives each its face; of a tree, by the default
 /// method.
 pub fn printed(chain: &Chain) -> String {
-    let (name, description) = (&chain.name, chain.to_macro_text(None));
+    printed_as(chain, &chain.to_macro_text(None))
+}
+
+/// The same with another text of the chain.
+pub fn printed_as(chain: &Chain, description: &str) -> String {
+    let name = &chain.name;
     let description = description.replacen(&format!(" {name} {{"), " {", 1);
     let point = match chain.dimension {
         Dimension::Space => "Point",

@@ -1055,3 +1055,571 @@ pub plane chain {
     spring s19 { on = b39; at = output; to = [0.1, 1.0] m; stiffness = 36.2 N/m; length = 0.72 m; }
 }
 }
+
+printed! {
+    Tree20, Point, energy(state);
+    inputs |drives| {
+        i2_j2: drives.efforts[3],
+        i2_j3: vector(&drives.efforts, [5, 6, 7, 8, 9, 10]),
+        i3_j2: drives.efforts[16],
+        i3_j3: vector(&drives.efforts, [17, 18, 19, 20, 21, 22]),
+        i4_j2: drives.efforts[28],
+        i5_limb0_j2: drives.efforts[32],
+        i4_j3: vector(&drives.efforts, [45, 46, 47, 48, 49, 50]),
+        i5_limb0_j3: vector(&drives.efforts, [53, 54, 55, 56, 57, 58]),
+        i5_l1_force: drives.loads[1].force.into(),
+    }
+    hinges i2_j1 i2_j2 j6 i2_j3 i2_j4 i3_j1 i3_j2 i3_j3 i3_j4 i4_j1 i4_j2 i5_limb0_j1 i5_limb0_j2 i5_j5 j7 i4_j3 i4_j4 i5_limb0_j3 i5_limb0_j4;
+    springs s1 s2 c3 c4 c5 c6 c7;
+pub chain {
+    gravity = [0.0, -9.8, 0.0] m/s^2;
+    part Limb0(size) {
+    body B1 {
+        mass = size*4.43 kg;
+        com = [0.0, -0.18, 0.0] m;
+        output = [0.0, 0.0, 0.98] m turned rpy(-128.5, 173.8, 137.3) deg;
+        inertia = diag(size*0.287713, size*0.489085, size*0.327309) kg*m^2 about com;
+        point f1 = [-0.18, 0.0, 0.0] m turned rpy(124.0, 53.0, -145.6) deg;
+    }
+    body B2 {
+        mass = size*3.4 kg;
+        com = [0.0, 0.0, 0.41] m;
+        output = [0.99, 1.03, 1.04] m turned rpy(143.3, 105.1, -101.7) deg;
+        inertia = tensor(size*0.748151, size*0.745286, size*0.098713, size*-0.000482, size*-0.009302, size*-0.024155) kg*m^2 about input;
+    }
+    body B3 {
+        mass = size*2.75 kg;
+        com = [0.0, 0.36, 0.39] m;
+        output = [0.0, 0.74, 0.0] m;
+        inertia = tensor(size*0.805455, size*0.50705, size*0.454152, size*0.0, size*0.0, size*-0.3861) kg*m^2 about input;
+    }
+    ball j1 -> B1 b1 -> screw([-0.37, -0.26, -0.45], 0.27 m/rad) j2;
+    b1.f1 -> elastic j3 -> B2 b2 -> universal(z, [0.2, -1.4, -0.57]) j4 -> B3 b3;
+    hinge j1 { limits = 0.72 rad; limit_stiffness = 47.3 N*m/rad; }
+    hinge j2 { rest = -0.3 rad; stiffness = 14.34 N*m/rad; damping = 0.24 N*m*s/rad; friction = 0.69 N*m; friction_speed = 0.9 rad/s; torque = input; }
+    hinge j3 { damping = 0.62 N*s/m; limits = [-0.17, 0.45] m; limit_stiffness = 59.4 N/m; limit_damping = 0.34 N*s/m; force = input; torque = input; }
+    hinge j4 { torque = [-0.6, 0.1] N*m; }
+    }
+    part Limb1(side, size) {
+    body B4 {
+        mass = size*3.67 kg;
+        com = [-0.08, side*0.55, 0.46] m;
+        output = [0.0, side*-0.52, 0.0] m turned rpy(-175.1, -112.9, 24.3) deg;
+        inertia = diag(size*0.302644, size*0.330123, size*0.043803) kg*m^2 about com;
+    }
+    body B5 {
+        mass = size*0.79 kg;
+        com = [0.25, side*0.0, 0.0] m;
+        output = [-0.87, side*0.43, 1.12] m;
+        inertia = diag(size*0.010057, size*0.041258, size*0.042843) kg*m^2 about com;
+    }
+    Limb0(0.5) -> B4 b4 -> elastic j5 -> B5 b5;
+    hinge j5 { rest = [-0.25, 0.25, 0.08] m turned rpy(0.29, -0.05, -1.01) rad; turning_stiffness = [33.74, 38.22, 22.46] N*m/rad; turning_limits = [-1.04, 0.33] rad; turning_limit_stiffness = 39.4 N*m/rad; }
+    load l1 { on = b5; force = input; }
+    }
+    body B6 {
+        mass = 0.32 kg;
+        com = [0.11, 0.0, 0.0] m;
+        output = [0.0, 0.21, 0.0] m turned rpy(0.0, 180.0, -90.0) deg;
+        inertia = diag(0.022246, 0.035218, 0.015755) kg*m^2 about com;
+    }
+    body B7 {
+        mass = 3.56 kg;
+        com = [0.44, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.74] m turned rpy(173.2, 8.4, 40.2) deg;
+        inertia = diag(0.350926, 0.204393, 0.259219) kg*m^2 about com;
+        point p1 = [-0.56, -0.27, 0.01] m;
+    }
+    body B8 {
+        mass = 0.63 kg;
+        com = [0.0, 0.0, 0.53] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = tensor(0.018231, 0.011857, 0.021408, 0.008176, 0.002932, -0.006542) kg*m^2 about com;
+    }
+    body B9 {
+        mass = 1.24 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, -0.31, 0.0] m turned rpy(90.0, -90.0, 180.0) deg;
+        inertia = diag(0.074415, 0.081542, 0.147644) kg*m^2 about input;
+    }
+    body B10 {
+        mass = 0.33 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 180.0) deg;
+        inertia = tensor(0.021829, 0.020345, 0.022849, 0.003369, -0.00421, -0.00275) kg*m^2 about input;
+    }
+    B6 b6 -> Limb0(2.0) i2 -> B7 b7 -> pin([-0.63, 0.72, -0.93]) j6 -> ground;
+    i2.b1.output -> Limb0(0.5) i3 -> B8 b8;
+    b6.output -> Limb0(1.0) i4 -> B9 b9 -> Limb1(-1.0, 0.5) i5 -> elastic j7 -> B10 b10;
+    load l1 { on = b7; at = [0.0, -0.47, 0.0] m; force = [-0.2, 6.0, -1.1] N; }
+    spring s1 { on = b7; at = p1; to = [-0.2, 0.4, -0.1] m; stiffness = 16.7 N/m; length = 0.5 m; }
+    spring s2 { on = b9; at = input; to = [-1.2, -0.9, 0.9] m; stiffness = 23.2 N/m; }
+    spring c3 { on = i2.b1; at = com; to = i5.limb0.b3.input; stiffness = 23.1 N/m; }
+    spring c4 { on = b7; at = [0.0, 0.0, 0.0] m; to = b9.input; stiffness = 32.7 N/m; damping = 2.79 N*s/m; }
+    spring c5 { on = i3.b2; at = [0.87, -0.64, -0.02] m; to = i4.b1.output; stiffness = 26.4 N/m; length = 1.12 m; }
+    spring c6 { on = i4.b1; at = [-0.35, -0.78, -0.85] m; to = i3.b1.input; stiffness = 13.7 N/m; }
+    spring c7 { on = i5.limb0.b2; at = output; to = i5.b4.input; stiffness = 25.8 N/m; length = 1.06 m; }
+}
+}
+
+printed! {
+    Tree21, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        j4: slider(&drives.motions[0]),
+        j5: vector(&drives.efforts, [6, 7]),
+        j6: drives.efforts[12],
+        i1_l1_force: part(&drives.loads[0].force, 0).into(),
+    }
+    hinges j4 i1_j1 i1_j2 j5 i1_j3 j6;
+    springs;
+pub plane chain {
+    gravity = [-0.96, 5.67] m/s^2;
+    part Limb0 {
+    body B1 {
+        mass = 3.53 kg;
+        com = [0.0, 0.16] m;
+        output = [0.0, 0.0] m turned 67.0 deg;
+        inertia = 0.174858 kg*m^2 about input;
+    }
+    body B2 {
+        mass = 2.21 kg;
+        com = [0.0, 0.0] m;
+        output = [0.57, 0.0] m turned -45.0 deg;
+        inertia = 0.071163 kg*m^2 about com;
+    }
+    body B3 {
+        mass = 0.81 kg;
+        com = [0.47, 0.07] m;
+        output = [1.03, -0.65] m turned 180.0 deg;
+        inertia = 0.036032 kg*m^2 about com;
+    }
+    floating j1 -> B1 b1 -> planar j2 -> B2 b2;
+    b1.input -> planar j3 -> B3 b3;
+    hinge j1 { rest = [-0.23, 0.34] m turned -0.66 rad; stiffness = [35.13, 9.12] N/m; damping = [1.39, 1.01] N*s/m; armature = [0.55, 0.63] kg; limits = [-0.92, 0.77] m; limit_stiffness = 13.7 N/m; limit_damping = 0.68 N*s/m; turning_stiffness = 37.03 N*m/rad; turning_armature = 0.78 kg*m^2; turning_limits = [-1.04, 1.0] rad; turning_limit_stiffness = 32.5 N*m/rad; turning_limit_damping = 0.35 N*m*s/rad; }
+    hinge j3 { stiffness = 4.96 N/m; damping = 2.55 N*s/m; armature = [0.45, 0.5] kg; limits = [-0.2, 1.14] m; limit_stiffness = 23.4 N/m; }
+    load l1 { on = b3; at = [0.26, 0.0] m; force = input; }
+    }
+    body B4 {
+        mass = 1.89 kg;
+        com = [0.01, 0.14] m;
+        output = [1.19, -0.25] m;
+        inertia = 0.039429 kg*m^2 about com;
+    }
+    body B5 {
+        mass = 4.46 kg;
+        com = [0.0, 0.2] m;
+        output = [-0.23, 0.63] m;
+        inertia = 0.35878 kg*m^2 about com;
+    }
+    ground at [0.43, 0.0] m -> slider(y) j4 -> B4 b4 -> Limb0 i1 -> planar j5 -> ground at [2.12, 0.06] m turned -138.2 deg;
+    i1.b3.output -> slider([0.0, -1.0]) j6 -> B5 b5;
+    hinge j4 { motion = input; }
+    hinge j5 { force = input; torque = -2.4 N*m; }
+    hinge j6 { force = input; }
+}
+}
+
+printed! {
+    Tree22, Point, energy_with(state, inputs);
+    inputs |drives| {
+        base: space_frame(&drives.start),
+        j7: cylindrical(&drives.motions[0]),
+        j8: elastic(&drives.motions[1]),
+        i3_i1_j4: universal(&drives.motions[2]),
+        i3_i2_j2: cylindrical(&drives.motions[3]),
+        i4_j2: cylindrical(&drives.motions[4]),
+        i5_j2: cylindrical(&drives.motions[5]),
+        i6_i1_j4: universal(&drives.motions[6]),
+        i6_i2_j2: cylindrical(&drives.motions[7]),
+        i7_j2: cylindrical(&drives.motions[8]),
+        i3_i1_j5: vector(&drives.efforts, [4, 5, 6]),
+        i3_j6: vector(&drives.efforts, [13, 14]),
+        i6_i1_j5: vector(&drives.efforts, [36, 37, 38]),
+        i6_j6: vector(&drives.efforts, [45, 46]),
+        j12: drives.efforts[53],
+        l1_force: drives.loads[0].force.into(),
+        i3_i1_l1_force: drives.loads[1].force.into(),
+        i3_i1_l2_force: drives.loads[2].force.into(),
+        i3_i1_l3_force: drives.loads[3].force.into(),
+        i6_i1_l1_force: drives.loads[7].force.into(),
+        i6_i1_l2_force: drives.loads[8].force.into(),
+        i6_i1_l3_force: drives.loads[9].force.into(),
+    }
+    hinges j7 j8 i3_i2_j1 i4_j1 i3_i1_j4 i3_i1_j5 i3_i2_j2 i3_i2_j3 i3_j6 i4_j2 i4_j3 i5_j1 j9 j10 i5_j2 i5_j3 j11 i6_i2_j1 i7_j1 i6_i1_j4 i6_i1_j5 i6_i2_j2 i6_i2_j3 i6_j6 i7_j2 i7_j3 j12;
+    springs s1 c2 c3 c4 c5 c6 i3_i1_s1 i3_i1_s2 i6_i1_s1 i6_i1_s2;
+pub chain {
+    gravity = [4.51, -3.72, 4.1] m/s^2;
+    part Limb0(side) {
+    body B1 {
+        mass = 1.13 kg;
+        com = [0.0, side*0.0, 0.54] m;
+        output = [0.0, side*0.0, 0.0] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = tensor(0.354533, 0.36684, 0.035423, side*-0.000795, 0.009987, side*0.005237) kg*m^2 about input;
+    }
+    body B2 {
+        mass = 3.37 kg;
+        com = [0.0, side*0.0, 0.16] m;
+        output = [0.0, side*0.0, -0.92] m turned rpy(89.0, -143.5, 83.8) deg;
+        inertia = diag(0.091544, 0.068956, 0.047954) kg*m^2 about com;
+        point f3 = [1.04, side*-0.45, 0.58] m;
+    }
+    body B3 {
+        mass = 3.07 kg;
+        com = [0.0, side*0.59, 0.0] m;
+        output = [0.0, side*0.0, 0.0] m;
+        inertia = tensor(1.38326, 0.20625, 1.229252, side*0.027884, 0.021533, side*-0.074599) kg*m^2 about input;
+    }
+    universal([-0.58, -0.58, -1.26], [-0.31, 1.47, 0.44]) j1 -> B1 b1;
+    b1.output -> cylindrical([0.0, 0.0, -1.0]) j2 -> B2 b2 -> elastic j3 -> B3 b3;
+    hinge j2 { damping = 2.43 N*s/m; armature = 0.69 kg; friction = 0.3 N; friction_speed = 0.6 m/s; limits = [-0.89, 1.14] m; limit_stiffness = 51.1 N/m; motion = input; }
+    hinge j3 { rest = [-0.05, 0.17, 0.05] m turned rpy(0.01, 0.14, -1.25) rad; stiffness = [17.32, 34.9, 33.2] N/m; armature = [0.63, 0.09, 0.29] kg; force = [0.4, 4.2, 4.9] N; turning_stiffness = [17.66, 9.85, 24.39] N*m/rad; turning_damping = [1.33, 2.51, 1.04] N*m*s/rad; turning_friction = 0.99 N*m; turning_friction_speed = 0.2 rad/s; turning_limits = [-0.86, 0.12] rad; turning_limit_stiffness = 15.5 N*m/rad; turning_limit_damping = 1.69 N*m*s/rad; torque = [1.4, -0.5, 0.8] N*m; }
+    load l1 { on = b2; at = input; force = [-6.9, 6.0, -3.4] N; }
+    }
+    part Limb1(size) {
+    body B4 {
+        mass = size*1.71 kg;
+        com = [0.13, 0.53, 0.02] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-35.9, 129.5, -24.1) deg;
+        inertia = tensor(size*0.50393, size*0.056681, size*0.537341, size*-0.117819, size*-0.004446, size*-0.018126) kg*m^2 about input;
+        point f2 = [0.76, 1.17, 0.59] m turned rpy(180.0, -90.0, 180.0) deg;
+    }
+    body B5 {
+        mass = size*3.26 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.5, -0.19, -0.14] m turned rpy(0.0, 0.0, -90.0) deg;
+        inertia = tensor(size*0.028685, size*0.064576, size*0.056519, size*0.015263, size*0.008141, size*-0.001305) kg*m^2 about input;
+        point f6 = [0.0, 0.0, 0.0] m turned rpy(83.0, -33.8, -56.4) deg;
+        point p1 = [0.93, 0.0, 0.0] m;
+    }
+    body B6 {
+        mass = size*3.12 kg;
+        com = [0.11, 0.26, 0.14] m;
+        output = [0.47, -0.96, -0.05] m turned rpy(41.6, 10.0, 119.6) deg;
+        inertia = tensor(size*0.227484, size*0.120798, size*0.139159, size*0.022984, size*-0.000344, size*0.061209) kg*m^2 about com;
+    }
+    B4 b4;
+    b4.f2 -> universal([0.0, 0.0, -1.0], [0.88, 0.3, 0.13]) j4 -> B5 b5 -> planar(x) j5 -> B6 b6;
+    hinge j4 { damping = 0.57 N*m*s/rad; armature = [0.17, 0.29] kg*m^2; limits = [-0.9, 1.04] rad; limit_stiffness = 23.2 N*m/rad; motion = input; }
+    hinge j5 { force = input; turning_stiffness = 34.8 N*m/rad; turning_damping = 1.73 N*m*s/rad; turning_limits = [-0.67, 0.36] rad; turning_limit_stiffness = 56.0 N*m/rad; turning_limit_damping = 0.9 N*m*s/rad; torque = input; }
+    load l1 { on = b4; force = input; axes = body; }
+    load l2 { on = b5; at = output; force = input; axes = body; }
+    load l3 { on = b6; force = input; axes = body; }
+    spring s1 { on = b5; at = p1; to = [-1.6, -0.6, 0.6] m; stiffness = 31.9 N/m; damping = 1.24 N*s/m; length = 0.38 m; }
+    spring s2 { on = b6; at = [0.0, 0.0, 0.0] m; to = [0.7, -0.6, 1.5] m; stiffness = 10.2 N/m; }
+    }
+    part Limb2(side, size) {
+    body B7 {
+        mass = size*3.61 kg;
+        com = [-0.51, side*0.57, 0.4] m;
+        output = [0.96, side*0.86, -0.43] m;
+        inertia = tensor(size*1.857064, size*1.716477, size*2.277173, size*side*1.049427, size*0.73644, size*side*-0.82308) kg*m^2 about input;
+    }
+    Limb1(1.0) i1 -> Limb0(-1.0) i2;
+    i2.b2.f3 -> cylindrical([-1.32, -0.4, -1.11]) j6 -> B7 b7;
+    hinge j6 { force = input; torque = input; }
+    }
+    body B8 {
+        mass = 4.24 kg;
+        com = [0.31, 0.19, 0.2] m;
+        output = [-0.09, 0.5, -1.12] m turned rpy(15.1, 48.7, -60.5) deg;
+        inertia = tensor(0.592167, 0.837699, 0.978508, -0.248326, -0.305334, -0.173151) kg*m^2 about input;
+    }
+    body B9 {
+        mass = 4.55 kg;
+        com = [0.0, 0.0, 0.34] m;
+        output = [-0.26, 0.01, 0.06] m;
+        inertia = tensor(0.250727, 0.295435, 0.240763, 0.050311, -0.052334, 0.008534) kg*m^2 about com;
+        point p1 = [0.09, -0.16, -0.67] m;
+    }
+    body B10 {
+        mass = 3.85 kg;
+        com = [0.51, 0.43, -0.11] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.152952, 0.110615, 0.067266, 0.015282, -0.010943, -0.024059) kg*m^2 about com;
+    }
+    body B11 {
+        mass = 2.25 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.5, -1.15, -0.23] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = tensor(0.329382, 0.304654, 0.289957, 0.012905, -0.018905, 0.006077) kg*m^2 about com;
+    }
+    moving base -> cylindrical([-0.67, -1.33, 1.22]) j7 -> B8 b8 -> elastic j8 -> Limb2(1.0, 0.5) i3 -> Limb0(1.0) i4;
+    i4.b3.output -> Limb0(1.0) i5 -> screw([0.0, -1.0, 0.0], 0.19 m/rad) j9 -> B9 b9 -> screw([0.89, 1.08, 1.08], -0.34 m/rad) j10 -> B10 b10;
+    i3.i2.b2.output -> screw(z, 0.26 m/rad) j11 -> Limb2(1.0, 0.5) i6 -> Limb0(1.0) i7;
+    i3.i1.b5.f6 -> cylindrical([-0.37, -0.85, -0.48]) j12 -> B11 b11;
+    hinge j7 { turning_stiffness = 24.4 N*m/rad; turning_damping = 2.11 N*m*s/rad; turning_armature = 0.22 kg*m^2; turning_friction = 1.34 N*m; turning_friction_speed = 0.5 rad/s; turning_limits = [-0.23, 0.5] rad; turning_limit_stiffness = 12.7 N*m/rad; turning_limit_damping = 0.87 N*m*s/rad; motion = input; }
+    hinge j8 { motion = input; }
+    hinge j9 { rest = -0.17 rad; stiffness = 36.08 N*m/rad; damping = 2.23 N*m*s/rad; }
+    hinge j10 { rest = -1.15 rad; stiffness = 38.73 N*m/rad; damping = 2.54 N*m*s/rad; armature = 0.53 kg*m^2; }
+    hinge j11 { torque = -4.4 N*m; }
+    hinge j12 { rest = -0.36 m turned -1.23 rad; stiffness = 37.42 N/m; friction = 1.95 N; friction_speed = 0.5 m/s; force = input; turning_damping = 0.53 N*m*s/rad; turning_friction = 0.35 N*m; turning_friction_speed = 0.3 rad/s; turning_limits = [-0.19, 0.38] rad; turning_limit_stiffness = 20.5 N*m/rad; torque = 4.0 N*m; }
+    load l1 { on = b9; at = p1; force = input; axes = body; }
+    spring s1 { on = b11; at = [0.34, 0.0, 0.0] m; to = [-1.6, -1.7, 1.6] m; stiffness = 1.2 N/m; damping = 0.11 N*s/m; }
+    spring c2 { on = b8; at = input; to = b11.input; stiffness = 23.9 N/m; }
+    spring c3 { on = i3.i2.b1; at = [0.0, 0.0, 0.0] m; to = i6.i1.b5.output; stiffness = 13.2 N/m; damping = 2.2 N*s/m; length = 0.73 m; }
+    spring c4 { on = i3.i2.b2; at = [0.24, 0.0, 0.0] m; to = i3.i1.b6.output; stiffness = 16.3 N/m; length = 0.26 m; }
+    spring c5 { on = i5.b1; at = [0.07, 0.9, 0.63] m; to = i5.b3.input; stiffness = 26.8 N/m; length = 0.27 m; }
+    spring c6 { on = b11; at = [0.0, 0.0, 0.0] m; to = i6.b7.output; stiffness = 28.6 N/m; length = 1.1 m; }
+}
+}
+
+printed! {
+    Tree23, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j6: slider(&drives.motions[0]),
+        i4_i1_j3: vector(&drives.efforts, [9, 10, 11]),
+        j5: vector(&drives.efforts, [12, 13, 14, 15, 16, 17]),
+        i3_j2: vector(&drives.efforts, [18, 19, 20]),
+        i4_i2_j2: vector(&drives.efforts, [33, 34, 35]),
+        j7: vector(&drives.efforts, [36, 37]),
+        j8: vector(&drives.efforts, [38, 39, 40, 41, 42, 43]),
+        i4_l1_force: drives.loads[2].force.into(),
+        gravity: drives.gravity.into(),
+    }
+    hinges i3_j1 i4_i1_j3 j5 j6 i3_j2 i4_i2_j1 i4_j4 i4_i2_j2 j7 j8;
+    springs s1 c2 c3 i3_s1 i3_s2 i4_i2_s1 i4_i2_s2;
+pub chain {
+    gravity = input;
+    part Limb0(side, size) {
+    body B1 {
+        mass = size*0.77 kg;
+        com = [0.0, side*0.0, 0.21] m;
+        output = [0.0, side*-0.46, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
+        inertia = diag(size*0.033213, size*0.018107, size*0.049442) kg*m^2 about com;
+    }
+    body B2 {
+        mass = size*1.61 kg;
+        com = [-0.04, side*-0.15, 0.05] m;
+        output = [0.0, side*-0.42, 0.0] m turned rpy(180.0, 0.0, 180.0) deg;
+        inertia = tensor(size*0.091367, size*0.051253, size*0.094994, size*side*-0.01609, size*0.000457, size*side*0.00979) kg*m^2 about input;
+        point f3 = [0.0, side*0.0, 0.0] m turned rpy(0.0, 0.0, 180.0) deg;
+        point p1 = [0.0, 0.0, 0.0] m;
+    }
+    floating j1 -> B1 b1;
+    b1.input -> planar(x) j2 -> B2 b2;
+    hinge j2 { limits = [-0.11, 1.1] m; limit_stiffness = 9.3 N/m; force = input; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.17 kg*m^2; turning_limits = [-0.27, 0.1] rad; turning_limit_stiffness = 10.1 N*m/rad; torque = input; }
+    spring s1 { on = b1; at = input; to = [1.7, 0.2, -1.6] m; stiffness = 33.8 N/m; damping = 2.05 N*s/m; }
+    spring s2 { on = b2; at = p1; to = [-1.8, 1.0, -1.2] m; stiffness = 14.9 N/m; }
+    }
+    part Limb1 {
+    floating j3;
+    hinge j3 { force = [1.1, 2.7, 1.6] N; turning_friction = 0.9 N*m; turning_friction_speed = 0.7 rad/s; turning_limits = 1.63 rad; turning_limit_stiffness = 5.8 N*m/rad; torque = input; }
+    }
+    part Limb2(size) {
+    body B3 {
+        mass = size*3.91 kg;
+        com = [0.0, 0.0, 0.17] m;
+        output = [0.0, 0.38, 0.0] m turned rpy(-29.6, 23.6, 168.9) deg;
+        inertia = tensor(size*0.245842, size*0.156208, size*0.214308, size*0.017325, size*-0.001057, size*0.084105) kg*m^2 about com;
+    }
+    body B4 {
+        mass = size*1.1 kg;
+        com = [-0.34, 0.0, 0.0] m;
+        output = [0.0, 0.18, 0.0] m;
+        inertia = diag(size*0.052176, size*0.060025, size*0.069318) kg*m^2 about com;
+        point p1 = [0.0, 0.59, 0.0] m;
+    }
+    Limb1 i1 -> B3 b3;
+    b3.output -> Limb0(1.0, 2.0) i2 -> floating j4 -> B4 b4;
+    hinge j4 { rest = [-0.43, -0.35, 0.17] m turned quaternion(-0.44, -0.23, -0.06, 0.02); stiffness = 13.57 N/m; damping = [2.36, 1.44, 2.2] N*s/m; friction = 0.53 N; friction_speed = 0.5 m/s; limits = [-0.58, 0.89] m; limit_stiffness = 47.9 N/m; turning_stiffness = 23.92 N*m/rad; turning_damping = 1.61 N*m*s/rad; turning_limits = 2.18 rad; turning_limit_stiffness = 18.3 N*m/rad; turning_limit_damping = 1.67 N*m*s/rad; }
+    load l1 { on = b4; at = p1; force = input; axes = body; }
+    }
+    body B5 {
+        mass = 3.85 kg;
+        com = [-0.38, 0.16, 0.13] m;
+        output = [-0.44, 1.11, 0.73] m;
+        inertia = tensor(0.351227, 0.822577, 0.924115, 0.23408, 0.19019, -0.08008) kg*m^2 about input;
+    }
+    body B6 {
+        mass = 2.15 kg;
+        com = [-0.31, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 90.0) deg;
+        inertia = diag(0.214797, 0.363791, 0.276176) kg*m^2 about input;
+    }
+    body B7 {
+        mass = 0.33 kg;
+        com = [-0.58, 0.0, 0.0] m;
+        output = [0.55, 0.0, 0.0] m;
+        inertia = diag(0.017131, 0.126102, 0.117831) kg*m^2 about input;
+    }
+    body B8 {
+        mass = 4.28 kg;
+        com = [0.02, 0.48, -0.23] m;
+        output = [-0.91, 0.33, 0.04] m turned rpy(0.0, 0.0, -90.0) deg;
+        inertia = tensor(1.386882, 0.267145, 1.157845, -0.041088, 0.019688, 0.472512) kg*m^2 about input;
+    }
+    B5 b5 -> Limb0(1.0, 2.0) i3 -> Limb2(2.0) i4 -> elastic j5 -> B6 b6 -> slider([-1.25, -1.3, -0.68]) j6 -> moving tip;
+    i4.i2.b2.f3 -> cylindrical(y) j7 -> B7 b7 -> floating j8 -> B8 b8;
+    hinge j5 { force = input; torque = input; }
+    hinge j6 { stiffness = 1.3 N/m; damping = 1.58 N*s/m; motion = input; }
+    hinge j7 { force = input; torque = input; }
+    hinge j8 { stiffness = [12.64, 16.2, 8.37] N/m; damping = 0.17 N*s/m; armature = [0.35, 0.26, 0.54] kg; friction = 0.35 N; friction_speed = 0.6 m/s; force = input; torque = input; }
+    load l1 { on = b5; at = input; torque = [-2.0, 3.3, -4.8] N*m; }
+    load l2 { on = b7; at = output; torque = [4.8, -5.7, -1.5] N*m; axes = body; }
+    spring s1 { on = b7; at = [-0.62, -0.98, -0.82] m; to = [-1.2, 0.0, 0.3] m; stiffness = 35.0 N/m; length = 0.88 m; }
+    spring c2 { on = i3.b1; at = input; to = i3.b2.output; stiffness = 17.3 N/m; }
+    spring c3 { on = b8; at = [0.04, -0.98, 0.26] m; to = i3.b2.com; stiffness = 6.6 N/m; damping = 1.56 N*s/m; }
+}
+}
+
+printed! {
+    Tree24, Point, energy_with(state, inputs);
+    inputs |drives| {
+        tip: space_frame(&drives.finish),
+        j6: planar(&drives.motions[0]),
+        i4_i3_j3: vector(&drives.efforts, [0, 1, 2]),
+        i4_i3_i1_j2: drives.efforts[7],
+        i5_j2: drives.efforts[12],
+        i4_i3_i2_j2: drives.efforts[18],
+    }
+    hinges i4_i3_j3 i4_i3_i1_j1 i4_i3_i1_j2 i5_j1 i5_j2 j5 i4_i3_i2_j1 i4_i3_i2_j2 i4_i3_j4 j6 j7;
+    springs s1 i4_i3_s1 i4_i3_s2;
+pub chain {
+    gravity = [0.0, 0.0, 0.0] m/s^2;
+    part Limb0(size) {
+    body B1 {
+        mass = size*4.3 kg;
+        com = [-0.29, 0.22, -0.56] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-47.2, 156.3, 89.9) deg;
+        inertia = tensor(size*1.620904, size*1.813388, size*0.660498, size*0.27434, size*-0.69832, size*0.52976) kg*m^2 about input;
+    }
+    body B2 {
+        mass = size*2.52 kg;
+        com = [-0.52, -0.3, 0.55] m;
+        output = [0.0, 0.0, 0.29] m turned rpy(149.0, 90.1, -35.2) deg;
+        inertia = diag(size*0.22474, size*0.244797, size*0.062885) kg*m^2 about com;
+    }
+    cylindrical([-1.0, 0.0, 0.0]) j1 -> B1 b1 -> planar(x) j2 -> B2 b2;
+    hinge j1 { turning_armature = 0.35 kg*m^2; turning_friction = 0.19 N*m; turning_friction_speed = 0.1 rad/s; }
+    hinge j2 { force = [4.6, 0.5] N; torque = input; }
+    }
+    part Limb1(size) {
+    body B3 {
+        mass = size*4.1 kg;
+        com = [0.09, -0.37, 0.25] m;
+        output = [-1.02, -0.36, 0.01] m turned rpy(180.0, 90.0, 180.0) deg;
+        inertia = diag(size*0.082037, size*0.114433, size*0.110752) kg*m^2 about com;
+    }
+    body B4 {
+        mass = size*0.49 kg;
+        com = [-0.46, 0.0, 0.0] m;
+        output = [0.0, 0.0, -0.64] m turned rpy(0.0, 0.0, 180.0) deg;
+        inertia = diag(size*0.013044, size*0.0264, size*0.029149) kg*m^2 about com;
+    }
+    ball j3 -> B3 b3 -> Limb0(0.5) i1;
+    b3.output -> Limb0(0.5) i2 -> pin(x) j4 -> B4 b4;
+    hinge j3 { limits = 2.15 rad; limit_stiffness = 20.8 N*m/rad; limit_damping = 0.34 N*m*s/rad; torque = input; }
+    hinge j4 { stiffness = 33.59 N*m/rad; armature = 0.39 kg*m^2; friction = 1.37 N*m; friction_speed = 0.6 rad/s; limits = [-0.17, 0.19] rad; limit_stiffness = 56.0 N*m/rad; torque = -1.7 N*m; }
+    load l1 { on = b4; at = output; torque = [-7.1, 1.8, -5.9] N*m; axes = body; }
+    spring s1 { on = b3; at = output; to = [-1.6, -0.7, 1.5] m; stiffness = 34.0 N/m; damping = 2.74 N*s/m; }
+    spring s2 { on = b4; at = input; to = [-0.6, -0.1, 1.4] m; stiffness = 32.2 N/m; damping = 0.46 N*s/m; }
+    }
+    part Limb2 {
+    Limb1(0.5) i3;
+    }
+    body B5 {
+        mass = 2.44 kg;
+        com = [0.0, -0.16, 0.0] m;
+        output = [1.12, -0.17, -1.18] m turned rpy(0.0, 180.0, 180.0) deg;
+        inertia = tensor(0.244002, 0.202213, 0.243558, 0.011259, -0.077996, -0.035223) kg*m^2 about com;
+    }
+    body B6 {
+        mass = 2.44 kg;
+        com = [-0.51, 0.29, 0.52] m;
+        output = [0.0, 0.91, 0.0] m turned rpy(180.0, 180.0, 180.0) deg;
+        inertia = tensor(0.066157, 0.081224, 0.127524, -0.031824, -0.000812, 0.016985) kg*m^2 about com;
+    }
+    ground at [-0.73, 0.0, 0.0] m turned rpy(90.0, 0.0, 0.0) deg -> Limb2 i4 -> Limb0(0.5) i5 -> pin(x) j5 -> moving tip;
+    i4.i3.b4.input -> planar(x) j6 -> B5 b5 -> universal([0.0, -1.0, 0.0], [1.41, 0.0, -0.11]) j7 -> B6 b6;
+    hinge j5 { torque = 0.4 N*m; }
+    hinge j6 { stiffness = 38.48 N/m; damping = [0.26, 2.04] N*s/m; limits = [-0.11, 0.66] m; limit_stiffness = 30.8 N/m; limit_damping = 0.18 N*s/m; turning_damping = 0.75 N*m*s/rad; turning_friction = 1.17 N*m; turning_friction_speed = 0.6 rad/s; turning_limits = [-0.46, 1.1] rad; turning_limit_stiffness = 56.6 N*m/rad; motion = input; }
+    hinge j7 { stiffness = [29.14, 24.24] N*m/rad; armature = 0.07 kg*m^2; }
+    load l1 { on = b5; at = output; torque = [2.1, 3.3, 8.0] N*m; }
+    spring s1 { on = b5; at = [0.04, -0.62, -0.79] m; to = [0.2, -0.4, 1.9] m; stiffness = 23.4 N/m; length = 0.21 m; }
+}
+}
+
+printed! {
+    Tree25, PlanePoint, energy_with(state, inputs);
+    inputs |drives| {
+        base: plane_frame(&drives.start),
+        i3_j1: planar(&drives.motions[0]),
+        i7_j1: planar(&drives.motions[1]),
+        i9_j1: planar(&drives.motions[2]),
+        limb1_j3: vector(&drives.efforts, [0, 1, 2]),
+        i2_j3: vector(&drives.efforts, [3, 4, 5]),
+        i4_j3: vector(&drives.efforts, [8, 9, 10]),
+        i5_j3: vector(&drives.efforts, [11, 12, 13]),
+        i6_j3: vector(&drives.efforts, [14, 15, 16]),
+        i8_j3: vector(&drives.efforts, [18, 19, 20]),
+        l1_torque: drives.loads[0].torque[2],
+        l2_force: part(&drives.loads[1].force, 0).into(),
+    }
+    hinges j4 limb1_j3 i2_j3 j5 i3_j1 i3_j2 i4_j3 i5_j3 i6_j3 i7_j1 i7_j2 i8_j3 i9_j1 i9_j2 j6;
+    springs s1 c2;
+pub plane chain {
+    gravity = [0.0, 0.0] m/s^2;
+    part Limb0(size) {
+    body B1 {
+        mass = size*4.84 kg;
+        com = [0.0, 0.0] m;
+        output = [0.7, 0.0] m;
+        inertia = size*0.149877 kg*m^2 about input;
+    }
+    floating j1 -> B1 b1 -> slider([0.7, -1.2]) j2;
+    hinge j1 { rest = [0.24, 0.39] m turned -1.34 rad; stiffness = 9.35 N/m; damping = 2.07 N*s/m; turning_stiffness = 6.1 N*m/rad; turning_damping = 2.56 N*m*s/rad; motion = input; }
+    hinge j2 { stiffness = 26.13 N/m; }
+    }
+    part Limb1(size) {
+    body B2 {
+        mass = size*2.71 kg;
+        com = [0.34, -0.52] m;
+        output = [-0.2, -0.8] m;
+        inertia = size*1.133046 kg*m^2 about input;
+        point f2 = [0.0, 0.0] m;
+    }
+    B2 b2 -> planar j3;
+    hinge j3 { rest = [0.03, -0.12] m turned -1.25 rad; stiffness = [5.31, 38.22] N/m; damping = 2.25 N*s/m; friction = 1.44 N; friction_speed = 0.9 m/s; force = input; torque = input; }
+    }
+    body B3 {
+        mass = 3.41 kg;
+        com = [-0.43, -0.03] m;
+        output = [-1.09, -0.92] m;
+        inertia = 0.685493 kg*m^2 about input;
+    }
+    body B4 {
+        mass = 4.61 kg;
+        com = [0.0, 0.0] m;
+        output = [0.89, 0.23] m turned 70.8 deg;
+        inertia = 0.440988 kg*m^2 about input;
+    }
+    body B5 {
+        mass = 1.47 kg;
+        com = [-0.39, -0.09] m;
+        output = [0.0, 0.0] m;
+        inertia = 0.09679 kg*m^2 about com;
+    }
+    body B6 {
+        mass = 1.65 kg;
+        com = [0.3, 0.0] m;
+        output = [0.0, 0.33] m turned 180.0 deg;
+        inertia = 0.292419 kg*m^2 about input;
+    }
+    body B7 {
+        mass = 4.37 kg;
+        com = [0.58, 0.57] m;
+        output = [0.0, 0.0] m;
+        inertia = 3.294751 kg*m^2 about input;
+    }
+    moving base -> weld j4 -> Limb1(0.5) -> Limb1(0.5) i2 -> ground at [-1.46, 0.48] m;
+    limb1.b2.input -> slider(y) j5 -> B3 b3 -> Limb0(0.5) i3 -> Limb1(1.0) i4 -> Limb1(1.0) i5 -> Limb1(2.0) i6 -> B4 b4;
+    i6.b2.f2 -> Limb0(0.5) i7 -> Limb1(1.0) i8 -> B5 b5;
+    ground at [0.0, 0.0] m turned -94.3 deg -> Limb0(0.5) i9 -> B6 b6 -> weld j6 -> B7 b7;
+    hinge j5 { rest = -0.1 m; stiffness = 17.72 N/m; friction = 0.96 N; friction_speed = 0.9 m/s; }
+    load l1 { on = b3; at = [0.0, -0.46] m; torque = input; }
+    load l2 { on = b7; force = input; torque = -8.0 N*m; axes = body; }
+    spring s1 { on = b5; at = input; to = [-0.9, -0.9] m; stiffness = 32.1 N/m; length = 0.21 m; }
+    spring c2 { on = i6.b2; at = com; to = b5.output; stiffness = 38.2 N/m; damping = 2.8 N*s/m; }
+}
+}
