@@ -10,7 +10,11 @@ use crate::program::{Cost, Procedure, SectionCost, by_heading};
 /// Returns the overview of a chain: route, picture, elements, degrees of freedom, method and operation counts.
 pub fn chain(cx: &EmitContext) -> Vec<String> {
     let mut lines = vec![String::new(), " # The chain".into(), String::new()];
-    lines.extend(routes::written(cx.chain).iter().map(|route| format!(" `{route}`")));
+    lines.extend(match &routes::written(cx.chain)[..] {
+        [route] => vec![format!(" `{route}`")],
+        // Markdown would join lines to one paragraph.
+        routes => routes.iter().map(|route| format!(" * `{route}`")).collect(),
+    });
     lines.extend(cx.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
     lines.push(" | element | kind | degrees of freedom |".into());

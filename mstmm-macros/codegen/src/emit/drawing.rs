@@ -1,6 +1,8 @@
 //! Draws a chain in its initial state, for the docs of its type, so that a user sees errors in the description at once.
 
-use super::gravity;
+mod label;
+
+use super::{gravity, routes};
 use crate::examine::Drawing;
 use crate::ids::PointId;
 use crate::model::{Attachment, Dimension, Element, ElementPoints, Hinge, HingeKind, Role};
@@ -9,30 +11,32 @@ use crate::model::{Attachment, Dimension, Element, ElementPoints, Hinge, HingeKi
 const SIZE: f64 = 400.0;
 /// The margin, in pixels.
 const MARGIN: f64 = 36.0;
-/// The largest number of elements that get labels; more labels would overlap.
-const NAMED: usize = 24;
-
 const BLUE: &str = "#3a87c8";
 
 /// Returns the lines of the picture as SVG, with the inertial axes and an arrow along gravity.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
     let camera = Camera::of(drawing);
     let [mut width, height] = camera.size;
-    let labels = match drawing.chain.elements.len() {
-        ..=NAMED => labels(drawing, &camera),
-        _ => Vec::new(),
+    let is_tree = routes::written(&drawing.chain).len() > 1;
+    let labels = match is_tree {
+        true => label::of_tree(drawing, &camera),
+        false => label::of_chain(drawing, &camera),
     };
     let sign = gravity::Sign::of(&camera.axes, drawing.gravity);
     let arrow = sign.map(|sign| {
         // To the right of everything else.
-        let right = labels.iter().map(Label::right).fold(width, f64::max);
+        let right = labels.iter().map(label::Label::right).fold(width, f64::max);
         width = right + gravity::ROOM;
         sign.drawn([right, MARGIN])
     });
+    let [left, top, width, height] = match is_tree {
+        true => label::around(&labels, [width, height]),
+        false => [0.0, 0.0, width, height],
+    };
     let mut lines = vec![
         String::new(),
         format!(
-            " <svg role=\"img\" aria-label=\"The chain at its start\" viewBox=\"0 0 {width:.0} \
+            " <svg role=\"img\" aria-label=\"The chain at its start\" viewBox=\"{left:.0} {top:.0} {width:.0} \
              {height:.0}\" width=\"{width:.0}\" style=\"max-width:100%;height:auto\" \
              font-size=\"12\" stroke-linecap=\"round\" fill=\"currentColor\">"
         ),
@@ -48,7 +52,7 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
         }
         Element::Body(_) => None,
     }));
-    lines.extend(labels.iter().map(Label::drawn));
+    lines.extend(labels.iter().map(label::Label::drawn));
     lines.extend(arrow);
     lines.push(" </svg>".into());
     lines
@@ -227,51 +231,6 @@ fn hinge(drawing: &Drawing, camera: &Camera, element: usize, hinge: &Hinge) -> S
         ),
     };
     format!(" {line}{sign} stroke=\"currentColor\" stroke-width=\"1.5\"/>")
-}
-
-/// The label of an element.
-struct Label {
-    text: String,
-    at: [f64; 2],
-    /// Whether it labels a body, centred at its position.
-    is_body: bool,
-}
-
-/// The approximate width of a letter, in pixels.
-const LETTER: f64 = 7.0;
-
-impl Label {
-    /// Returns its right end.
-    fn right(&self) -> f64 {
-        let width = self.text.chars().count() as f64 * LETTER;
-        self.at[0] + if self.is_body { width / 2.0 } else { width }
-    }
-
-    fn drawn(&self) -> String {
-        let Label { text, at: [x, y], is_body } = self;
-        let style = if *is_body { " text-anchor=\"middle\" font-style=\"italic\"" } else { "" };
-        format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{text}</text>")
-    }
-}
-
-/// Returns the labels: those of bodies near their middle, those of hinges near their symbol.
-fn labels(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
-    let name = |(number, element): (usize, &Element)| {
-        let [a, b] = ends_of(drawing, camera, number);
-        match *element {
-            Element::Body(index) => Label {
-                text: drawing.chain.bodies[index].path.clone(),
-                at: [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0],
-                is_body: true,
-            },
-            Element::Hinge(index) => Label {
-                text: drawing.chain.hinges[index].path.clone(),
-                at: [a[0] + 8.0, a[1] - 8.0],
-                is_body: false,
-            },
-        }
-    };
-    drawing.chain.elements.iter().enumerate().map(name).collect()
 }
 
 fn text([x, y]: [f64; 2]) -> String {

@@ -2,8 +2,7 @@
 
 use crate::model::{Attachment, Chain, Element, Role};
 
-/// Returns the routes, without arguments and with all parts written out. Lines after the first end the line before with
-/// an empty line, so that Markdown shows each by itself.
+/// Returns the routes, without arguments and with all parts written out.
 pub fn written(chain: &Chain) -> Vec<String> {
     let mut routes: Vec<String> = vec![String::new()];
     // The place at which the route continues.
