@@ -6,6 +6,7 @@ use crate::model::{
     Answer, Attachment, Element, Parameter, Results, SolutionMethod, Value, listed,
 };
 use crate::program::{Cost, Procedure, SectionCost, by_heading};
+use crate::syntax::PartInstance;
 
 /// Returns the overview of a chain: route, picture, elements, degrees of freedom, method and operation counts.
 pub fn chain(cx: &EmitContext) -> Vec<String> {
@@ -17,6 +18,7 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     });
     lines.extend(cx.findings.start.iter().flat_map(drawing::picture));
     lines.push(String::new());
+    lines.extend(instances(cx));
     lines.push(" | element | kind | degrees of freedom |".into());
     lines.push(" |---|---|---|".into());
     lines.extend(cx.chain.elements.iter().map(|&element| row(cx, element)));
@@ -37,6 +39,30 @@ pub fn chain(cx: &EmitContext) -> Vec<String> {
     ));
     lines.extend(precision(cx));
     lines
+}
+
+/// Returns a list of the instances of parts with their doc comments.
+fn instances(cx: &EmitContext) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for PartInstance { path, part, docs } in &cx.passthrough.instances {
+        let texts = docs.iter().filter_map(doc_text);
+        let text = texts.map(|line| line.trim().to_owned()).collect::<Vec<_>>().join(" ");
+        let separator = if text.is_empty() { "" } else { ": " };
+        lines.push(format!(" * `{path}`, part `{part}`{separator}{text}"));
+    }
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
+    lines
+}
+
+/// Returns the text of a doc comment.
+fn doc_text(attribute: &syn::Attribute) -> Option<String> {
+    let syn::Meta::NameValue(doc) = &attribute.meta else { return None };
+    match &doc.value {
+        syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),
+        _ => None,
+    }
 }
 
 /// The bound of the relative error of accelerations by `transfer`, in units of ε, divided by the sum of ten and the mass

@@ -72,6 +72,7 @@ pub(super) fn draft<'a>(
     let starts = start::starts(resolved, &seeds, &mut context);
     let properties = properties::properties(resolved, &mut context);
     let (loads, springs) = load::loads(resolved, &seeds, &mut context);
+    start::warn_of_unused(resolved, &seeds, &mut context);
     let references = references::references(resolved);
     let requirements = std::mem::take(&mut context.requirements);
     let passthrough = Passthrough {

@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::place::{BodyPlace, PlacePoint, Resolved, body_extent};
 use crate::syntax::{PathSyntax, SeedSyntax};
+use std::cell::Cell;
 
 /// Where a route begins.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +29,8 @@ pub(crate) struct PreviousPlace {
 #[derive(Clone, Default)]
 pub(super) struct Seeds {
     seeds: Vec<PreviousPlace>,
+    /// Which of them routes or springs use.
+    used: Vec<Cell<bool>>,
     /// Whether some were not readable.
     is_incomplete: bool,
 }
@@ -49,6 +52,7 @@ fn seeds_of(repeat: usize, resolved: Resolved, context: &mut Context) -> Seeds {
             context.diagnostics.error_over(seed.place.extent(), message);
         }
         seeds.seeds.push(place);
+        seeds.used.push(Cell::new(false));
     }
     seeds
 }
@@ -116,7 +120,9 @@ pub(super) fn previous(
         let message = "`last` is the previous repetition: name a body of the same `repeat`";
         return context.refuse(body_extent(path), message);
     }
-    if let Some(found) = seeds[repeat].seeds.iter().find(|seed| seed.previous == place) {
+    let Seeds { seeds: known, used, .. } = &seeds[repeat];
+    if let Some((found, used)) = known.iter().zip(used).find(|(seed, _)| seed.previous == place) {
+        used.set(true);
         return Some(*found);
     }
     if !seeds[repeat].is_incomplete {
@@ -129,6 +135,27 @@ pub(super) fn previous(
         context.diagnostics.error_over(path.extent(), message);
     }
     None
+}
+
+/// The rule that a first value is used.
+const UNUSED: &str = "UNUSED_FIRST_VALUE";
+
+/// Warns of seeds that neither a route nor a spring uses, if everything else is readable.
+pub(super) fn warn_of_unused(resolved: Resolved, seeds: &[Seeds], context: &mut Context) {
+    if !context.diagnostics.is_empty() || !context.complete {
+        return;
+    }
+    for (repeat, seeds) in resolved.written.repeats.iter().zip(seeds) {
+        for (seed, used) in repeat.syntax.seeds.iter().zip(&seeds.used) {
+            if !used.get() {
+                let message = format!(
+                    "`{0}` is not used: no route and no spring of this `repeat` has `last.{0}`",
+                    seed.place
+                );
+                context.diagnostics.warn(seed.place.extent().first, UNUSED, message);
+            }
+        }
+    }
 }
 
 /// Returns the place at which a route begins.

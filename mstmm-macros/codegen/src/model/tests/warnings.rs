@@ -152,3 +152,15 @@ fn warnings_are_in_the_order_of_the_text() {
         ground turned rpy(0, 0, 50) -> pin a -> Rod one; hinge a { rest = 60; start = tilt; } }";
     expect_chain(source, &["10", "20", "30", "40", "50", "60"]);
 }
+
+#[test]
+fn the_first_value_of_a_repeat_is_used() {
+    let repeat = |branch: &str| {
+        format!(
+            "chain A {{ {ROD} ground -> weld w -> Rod beam -> repeat 3 from link.output = beam.output {{ \
+             ball knot -> Rod link; {branch} }}; }}"
+        )
+    };
+    expect_chain(&repeat("last.link.output -> pin a -> Rod x"), &[]);
+    expect_chain(&repeat("link.output -> pin a -> Rod x"), &["link"]);
+}
