@@ -31,7 +31,7 @@ pub(crate) struct Part {
 /// Routes with loads and springs on their bodies.
 #[derive(Clone, Default)]
 pub(crate) struct Scope {
-    /// The routes. The start of the first one is that of the chain, or means nothing in a part.
+    /// The routes. The start of the first one is that of the chain; in a part it is not used.
     pub(crate) routes: Routes,
     pub(crate) loads: Vec<Load>,
     pub(crate) springs: Vec<Spring>,

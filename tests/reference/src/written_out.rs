@@ -49,18 +49,26 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     /// Adds routes, each with the further routes of its instances. The first may have a finish.
     fn add_routes(&mut self, context: &Context<'a>, routes: &'a Routes, finish: Option<&End>) {
-        for (number, (start, steps)) in routes.iter().enumerate() {
-            let start = context.end(self.tree, start);
-            let mut open = Route { start, elements: Vec::new(), finish: End::Free };
-            let mut instances = Vec::new();
-            self.add_steps(&mut open, &mut instances, context, steps);
-            match finish {
-                Some(finish) if number == 0 => open.finish = finish.clone(),
-                _ => {}
-            }
-            self.close(open);
-            self.add_instances(instances);
+        for (number, route) in routes.iter().enumerate() {
+            let finish = finish.filter(|_| number == 0).cloned();
+            self.add_route(context, route, finish.unwrap_or(End::Free));
         }
+    }
+
+    /// Adds a route with the further routes of its instances.
+    fn add_route(
+        &mut self,
+        context: &Context<'a>,
+        (start, steps): &'a (End, Vec<Step>),
+        finish: End,
+    ) {
+        let start = context.end(self.tree, start);
+        let mut open = Route { start, elements: Vec::new(), finish: End::Free };
+        let mut instances = Vec::new();
+        self.add_steps(&mut open, &mut instances, context, steps);
+        open.finish = finish;
+        self.close(open);
+        self.add_instances(instances);
     }
 
     fn close(&mut self, route: Route) {
@@ -73,13 +81,8 @@ impl<'a> Writer<'a> {
     fn add_instances(&mut self, instances: Vec<Context<'a>>) {
         for context in instances {
             self.add_blocks(&context);
-            for (start, steps) in &context.scope.routes[1..] {
-                let start = context.end(self.tree, start);
-                let mut open = Route { start, elements: Vec::new(), finish: End::Free };
-                let mut inner = Vec::new();
-                self.add_steps(&mut open, &mut inner, &context, steps);
-                self.close(open);
-                self.add_instances(inner);
+            for route in &context.scope.routes[1..] {
+                self.add_route(&context, route, End::Free);
             }
         }
     }
@@ -127,13 +130,7 @@ impl<'a> Writer<'a> {
         self.close(std::mem::replace(open, next));
         self.add_instances(instances);
         for route in &repeat.routes[1..] {
-            let (start, steps) = route;
-            let start = context.end(self.tree, start);
-            let mut branch = Route { start, elements: Vec::new(), finish: End::Free };
-            let mut inner = Vec::new();
-            self.add_steps(&mut branch, &mut inner, &context, steps);
-            self.close(branch);
-            self.add_instances(inner);
+            self.add_route(&context, route, End::Free);
         }
     }
 

@@ -79,7 +79,8 @@ pub enum SpringEnd {
     Previous {
         /// The point.
         point: BodyPoint,
-        /// What it is in the first repetition: a point of a body outside.
+        /// What it is in the first repetition: a point of a body outside. In another repeated part
+        /// this is the body of its last repetition.
         first: BodyPoint,
     },
 }
