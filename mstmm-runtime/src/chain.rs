@@ -163,7 +163,8 @@ pub trait Chain {
 /// The connection points that `points()` of a workspace returns are in the order of the routes, too, repetition by
 /// repetition in a repeated part. In a chain of one route they are the input of the first element, then the output of
 /// every element, which is the input of the next one. In a tree each element adds its input, if no earlier element has
-/// this point, and its output; the named points of a body that hinges leave follow its output.
+/// this point, and its output; the named points of a body that hinges leave follow its output. A hinge that leaves a
+/// place together with other hinges, or the input of a body, has a separate input.
 pub trait GeneratedChain: Chain {
     /// The results of [`solve_into`](Self::solve_into).
     type Workspace;

@@ -13,8 +13,8 @@ const TOLERANCE: f64 = 1e-11;
 
 const GRAVITY: [f64; 3] = [1.0, -2.0, -9.5];
 
-/// Bennett's linkage, which moves although three constraints are redundant, with what is said of its
-/// coupler and of its branches; its rational angles are those of `overconstrained/bennett.rs`.
+/// Bennett's linkage, which moves although three constraints are redundant. The arguments
+/// describe its coupler and its branches. Its rational angles are those of `overconstrained/bennett.rs`.
 macro_rules! bennett {
     ($($name:ident [$($weight:tt)*] { $($coupler:tt)* } { $($branches:tt)* })*) => { $(
         mstmm_chain! { chain $name {
