@@ -77,10 +77,13 @@ pub fn of_tree(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
     let mut labels: Vec<Label> = Vec::new();
     for number in numbers {
         let mut label = of_element(drawing, camera, number);
-        // Labels of bodies are below, those of hinges above.
+        // Labels of bodies move down first, those of hinges up; then to the other side, and so on.
         let step = if label.is_body { LINE } else { -LINE };
-        while labels.iter().any(|placed| label.overlaps(placed)) {
-            label.at[1] += step;
+        let mut moves = (1..).map(|k| if k % 2 == 1 { f64::from(k) } else { -f64::from(k) });
+        while labels.iter().any(|placed| label.overlaps(placed))
+            && let Some(lines) = moves.next()
+        {
+            label.at[1] += step * lines;
         }
         labels.push(label);
     }
