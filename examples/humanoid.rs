@@ -51,6 +51,7 @@ mstmm_chain! {
     }
 }
 
+/// Returns the points of the soles, first those of the left foot.
 fn soles(at: &HumanoidWorkspace<f64>) -> [BodyPoint<Point<f64>>; 6] {
     let (left, right) = (at.left_leg_foot(), at.right_leg_foot());
     [left.heel(), left.toe(), left.small_toe(), right.heel(), right.toe(), right.small_toe()]
