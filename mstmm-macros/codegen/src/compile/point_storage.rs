@@ -65,6 +65,9 @@ pub(super) fn allocate<'g>(
     let mut allocator =
         PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
     let mut storage = PointStorage { of: chain.connection_points(), ..PointStorage::default() };
+    if storage.of.points.len() != points.len() {
+        bug!("{} connection points have {} states", storage.of.points.len(), points.len())
+    }
     let ends = chain.elements.iter().zip(&storage.of.elements);
     let inputs: HashMap<PointId, BodyId> = ends
         .filter_map(|(&element, ends)| match element {

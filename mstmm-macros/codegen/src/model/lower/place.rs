@@ -93,7 +93,9 @@ impl<'t, 'a> Resolved<'t, 'a> {
                 let message = format!("`{shown}` is a moving end and has no places");
                 context.refuse(name, message)
             }
-            _ => None,
+            // These are reported already.
+            RouteItem::Unknown { .. } | RouteItem::Duplicate { .. } => None,
+            RouteItem::Ground { .. } => bug!("the ground has a name"),
         }
     }
 
