@@ -74,8 +74,13 @@ pub(super) fn block(
     }
 }
 
-fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
+/// Parses the names of a block and enters its braces.
+pub(super) fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
     let names = paths(input)?;
+    if input.peek_group(Delimiter::Bracket) {
+        let message = "a block applies to each repetition: remove the index";
+        return Err(Error::new(input.next_span(), message));
+    }
     let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
     Ok((names, inside))
 }
@@ -107,8 +112,8 @@ pub(super) fn unknown(input: &mut Cursor, def: &mut ContentSyntax, diagnostics: 
         .or_else(|| nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied()));
     let hint = near.map_or_else(
         || {
-            "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, the route, \
-            `hinge`, `load` and `spring`"
+            "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, `part`, \
+            the routes, `hinge`, `load` and `spring`"
                 .to_owned()
         },
         |near| format!("did you mean `{near}`?"),

@@ -68,6 +68,11 @@ fn parameters(mut inside: Cursor) -> Result<Vec<Ident>> {
     while !inside.is_empty() {
         parameters.push(inside.ident().ok_or_else(|| inside.unexpected("a name"))?);
         if inside.punct(',').is_none() {
+            if inside.peek_punct('=') || inside.peek_punct(':') {
+                let message = "a parameter of a part is a number without a default: write its \
+                               name only";
+                return Err(Error::new(inside.next_span(), message));
+            }
             inside.check_empty("`,`")?;
         }
     }

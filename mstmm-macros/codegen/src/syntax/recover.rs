@@ -37,7 +37,11 @@ fn repeated<'a>(input: &mut Cursor<'a>) -> Option<(Span, Option<usize>, Cursor<'
     let at = ahead.word("repeat")?;
     let mut number = ahead;
     let count = number::count("", &mut number).ok().and_then(Result::ok);
-    while !ahead.is_empty() && !ahead.peek_punct(';') && !ahead.peek_pair('-', '>') {
+    let has_seeds = {
+        let mut after_count = number;
+        after_count.word("from").is_some()
+    };
+    while !ahead.is_empty() && !ahead.peek_punct(';') && (has_seeds || !ahead.peek_pair('-', '>')) {
         let is_part = [Delimiter::Brace, Delimiter::Parenthesis, Delimiter::Bracket];
         if let Some((part, _)) = is_part.into_iter().find_map(|group| ahead.group(group)) {
             *input = ahead;

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
 
+use super::content;
 use super::cursor::Cursor;
 use super::lookahead::{self, has_arrow};
 use super::number::count;
@@ -165,6 +166,9 @@ fn repeated_routes(
 ) -> Vec<RouteSyntax> {
     let mut routes = Vec::new();
     while !inside.is_empty() {
+        if block(&mut inside, diagnostics) {
+            continue;
+        }
         let mut route = RouteSyntax::at(inside.next_span());
         if let Err(error) = repeated_route(&mut inside, &mut route, separators, diagnostics) {
             diagnostics.push(error);
@@ -176,6 +180,25 @@ fn repeated_routes(
         routes.push(route);
     }
     routes
+}
+
+/// Reports a block in a `repeat` and skips it. Returns whether there is one.
+fn block(inside: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+    let mut ahead = *inside;
+    let Some(word) = ahead.ident() else { return false };
+    if !content::BLOCKS.iter().any(|(block, _)| word == block)
+        || content::block_head(&mut ahead).is_err()
+    {
+        return false;
+    }
+    let place = if word == "body" { "before the first route" } else { "after the route" };
+    let message = format!(
+        "a `repeat` contains routes only: write this block {place}; it applies to each repetition"
+    );
+    diagnostics.error(word.span(), message);
+    ahead.punct(';');
+    *inside = ahead;
+    true
 }
 
 /// Parses one of the routes in the braces of a `repeat`.

@@ -1,7 +1,7 @@
 //! Items of the route: hinges, bodies and ends.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
-use syn::Result;
+use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::lookahead::name;
@@ -36,7 +36,8 @@ pub(super) fn route_item(
     }
     let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
     let mut arguments = arguments(input)?;
-    if arguments.is_none() && begins_hinge(&word) && is_misplaced(input) {
+    let has_brackets = input.peek_group(Delimiter::Bracket);
+    if arguments.is_none() && (has_brackets || begins_hinge(&word)) && is_misplaced(input) {
         return misplaced(&word, input, diagnostics);
     }
     // A position may follow the name, or a body that is written by its type or its name only.
@@ -117,6 +118,13 @@ fn misplaced(
         }
     } else {
         input.any();
+        if input.peek_punct('.') {
+            let message = format!(
+                "a place has no index: in a `repeat` it is that of the same repetition, outside \
+                 of it that of the last one; write `{word}.place`"
+            );
+            return Err(Error::new(at, message));
+        }
     }
     let name = name(input);
     let called = name.as_ref().map_or_else(|| "name".to_owned(), ToString::to_string);
@@ -138,6 +146,11 @@ fn inside(input: &Cursor) -> String {
 fn values(mut inside: Cursor) -> Result<Vec<ValueSyntax>> {
     let mut values = Vec::new();
     while !inside.is_empty() {
+        let mut ahead = inside;
+        if let Some(name) = ahead.ident().filter(|_| ahead.peek_punct('=')) {
+            let message = format!("arguments have no names: remove `{name} =`");
+            return Err(Error::new(name.span(), message));
+        }
         values.push(value::value(&mut inside)?);
         if inside.punct(',').is_none() {
             inside.check_empty("`,`")?;

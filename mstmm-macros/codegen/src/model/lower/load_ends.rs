@@ -9,7 +9,9 @@ use super::place::{BodyPlace, POINTS, Resolved, body_extent, example_place, outp
 use super::start::{self, Seeds};
 use super::vector::zeros;
 use crate::model::{BodyPoint, Dimension, Value};
-use crate::syntax::{BlockKeyword, FieldSyntax, ListSyntax, PathSyntax, SpanRange, ValueSyntax};
+use crate::syntax::{
+    BlockKeyword, ExprKind, FieldSyntax, ListSyntax, PathSyntax, SpanRange, ValueSyntax,
+};
 
 /// The message for a spring on several bodies.
 const BETWEEN_BODIES: &str = "a spring is between two bodies with `on = a.point; to = b.point;`";
@@ -60,7 +62,10 @@ pub(super) fn on(
             let message = format!("write a point after the body, as in `on = {body}.point;`");
             return context.refuse(*extent, message);
         }
-        ValueSyntax::Vector(ListSyntax { entries, .. }) if entries.len() > 1 => {
+        ValueSyntax::Vector(ListSyntax { entries, .. })
+            if entries.len() > 1
+                && entries.iter().all(|entry| matches!(entry.kind, ExprKind::Name(_))) =>
+        {
             let message = match of {
                 BlockKeyword::Spring => BETWEEN_BODIES,
                 _ => "a load acts on one body: write a `load` for each",
@@ -72,7 +77,13 @@ pub(super) fn on(
     }
     let Some(word) = syntax.word() else {
         let found = syntax.described();
-        let message = format!("expected the name of a body on a route, found {found}");
+        let ground = match syntax {
+            ValueSyntax::Vector(_) if of == BlockKeyword::Spring => {
+                ": write a point on the ground after `to`"
+            }
+            _ => "",
+        };
+        let message = format!("expected the name of a body on a route, found {found}{ground}");
         return context.refuse(syntax.extent(), message);
     };
     let names = std::slice::from_ref(word);
@@ -220,7 +231,19 @@ pub(super) fn spring_to(
         let message = format!("name the place on `{word}`: `to = {word}.{point}`");
         return context.refuse(word, message);
     }
+    if context.space != Dimension::Line && !begins_constant(word) {
+        let message = format!(
+            "expected a place on a body, as in `to = body.point`, or a vector for a point on the \
+             ground; found `{word}`"
+        );
+        return context.refuse(word, message);
+    }
     context.read_vector(syntax, LENGTH).map(SpringTo::Ground)
+}
+
+/// Returns whether a word looks like a Rust constant.
+fn begins_constant(word: &Ident) -> bool {
+    word.to_string().starts_with(char::is_uppercase)
 }
 
 fn end_point(

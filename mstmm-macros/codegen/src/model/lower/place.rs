@@ -145,6 +145,11 @@ impl<'t, 'a> Resolved<'t, 'a> {
             return context.refuse(path.extent(), self.part_message(&shown, instance));
         }
         if let Some(instance) = self.names.instance(self.written, scope, body) {
+            let meant = did_you_mean(&shown.to_string(), self.body_paths(scope));
+            if !meant.is_empty() && !POINTS.iter().any(|point| path.end() == point) {
+                let message = format!("no body `{shown}` on a route{meant}");
+                return context.refuse(path.end(), message);
+            }
             let shown = PathSyntax { last: None, names: body.to_vec() };
             return context.refuse(shown.extent(), self.part_message(&shown, instance));
         }
@@ -178,7 +183,7 @@ impl<'t, 'a> Resolved<'t, 'a> {
             return None;
         }
         if let [name] = body
-            && let Some(message) = self.type_message(name, scope)
+            && let Some(message) = self.type_message(name, scope).or_else(|| keyword_message(name))
         {
             return context.refuse(name, message);
         }
@@ -227,6 +232,21 @@ impl<'t, 'a> Resolved<'t, 'a> {
         let bodies = self.items.iter().filter(|item| item.is_body());
         bodies.filter_map(move |item| item.name()?.path.strip_prefix(prefix))
     }
+}
+
+/// Returns the message for a keyword in place of a body.
+fn keyword_message(word: &Ident) -> Option<String> {
+    Some(match &*word.to_string() {
+        "ground" => {
+            "the ground has no named places: write `ground at [x, y, z] m` on a route, and \
+                     `[x, y, z] m` in a spring"
+                .into()
+        }
+        "last" => "`last` is the previous repetition: name a body and a place in it, as in \
+                   `last.link.output`"
+            .into(),
+        _ => return None,
+    })
 }
 
 /// Returns the point of a type with this name.

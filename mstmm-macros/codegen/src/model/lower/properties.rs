@@ -197,8 +197,15 @@ fn unknown_name(
     let hint = if context.diagnostics.is_full() {
         String::new()
     } else {
-        let paths = names.filter_map(|item| item.name()?.path.strip_prefix(prefix));
-        did_you_mean(&path.to_string(), paths)
+        let paths: Vec<&str> =
+            names.filter_map(|item| item.name()?.path.strip_prefix(prefix)).collect();
+        let hint = did_you_mean(&path.to_string(), paths.iter().copied());
+        let own = name.to_string();
+        let same = paths.iter().find(|path| path.rsplit('.').next() == Some(&*own));
+        match same {
+            Some(same) if hint.is_empty() => format!("; did you mean `{same}`?"),
+            _ => hint,
+        }
     };
     let message = format!("no {word} `{path}` on a route{hint}");
     if path.names.len() > 1 {

@@ -126,7 +126,11 @@ pub(super) fn previous(
         return Some(*found);
     }
     if !seeds[repeat].is_incomplete {
-        let plain = PathSyntax { last: None, names: path.names.clone() };
+        let written = resolved.written;
+        // A part in the `repeat` may name its own bodies, `from` names them from outside of the part.
+        let plain = written.scopes[scope].path(&path.names);
+        let outer = written.scopes[written.repeats[repeat].scope].prefix();
+        let plain = plain.strip_prefix(outer).unwrap_or(&plain);
         let count = resolved.written.repeats[repeat].syntax.count;
         let count = count.map_or_else(|| "…".to_owned(), |count| count.to_string());
         let message = format!(

@@ -7,7 +7,7 @@ const ROD: &str = "body Rod { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 
 
 /// What is said where an item is unknown.
 pub(super) const ITEMS: &str = "; the items are `gravity`, `method`, `results`, `answers`, \
-                                `param`, `body`, the route, `hinge`, `load` and `spring`";
+                                `param`, `body`, `part`, the routes, `hinge`, `load` and `spring`";
 
 /// A chain of rods with this written behind their description.
 #[track_caller]

@@ -142,6 +142,58 @@ fn the_first_route_of_a_repeat_continues_the_outer_one() {
 }
 
 #[test]
+fn a_repeat_contains_routes_only() {
+    let block = "a `repeat` contains routes only: write this block after the route; …";
+    expect_repeat("", "hinge knot { damping = 1; }", "", &[("hinge", block)]);
+    expect_repeat(
+        "",
+        "spring s { on = link.tip; to = beam.tip; stiffness = 1; } link.tip -> pin a -> Rod x",
+        "",
+        &[("spring", block)],
+    );
+    expect_repeat(
+        "",
+        "",
+        "hinge knot[0] { damping = 1; }",
+        &[("[0]", "a block applies to each …")],
+    );
+    expect_repeat("", "", "link[3].tip -> pin a -> Rod x;", &[("[3]", "a place has no index: …")]);
+    expect_repeat(
+        "from beam.tip -> link.tip",
+        "last.link.tip -> pin a -> Rod x;",
+        "",
+        &[("-", "expected `=`, found `-`")],
+    );
+}
+
+#[test]
+fn keywords_are_no_bodies() {
+    let ground = "the ground has no named places: …";
+    expect_tree("ground.left -> pin a -> Rod x;", &[("ground", ground)]);
+    expect_tree(
+        "spring s { on = leg.tip; to = ground.left; stiffness = 1; }",
+        &[("ground", ground)],
+    );
+    expect_tree(
+        "last.tip -> pin a -> Rod x;",
+        &[("last", "`last` is the previous repetition: name a body and a place in it, as in …")],
+    );
+    let to = |to: &str| {
+        let message = format!("expected a place on a body, …; found `{to}`");
+        expect_tree(
+            &format!("spring s {{ on = leg.tip; to = {to}; stiffness = 1; }}"),
+            &[(to, &message)],
+        );
+    };
+    to("world");
+    to("trnk");
+    expect_tree(
+        "spring s { on = [0, 0, 0] m; to = leg.tip; stiffness = 1; }",
+        &[("[0, 0, 0]", "expected the name of a body on a route, found a vector: write …")],
+    );
+}
+
+#[test]
 fn the_previous_repetition_has_a_first_value() {
     let branch = "last.link.tip -> pin a -> Rod x;";
     expect_repeat("from link.tip = beam.tip", branch, "", &[]);
@@ -239,7 +291,7 @@ fn springs_know_repeated_bodies() {
 fn blocks_name_paths() {
     expect_tree(
         "hinge trunk.hip { start = 1; }",
-        &[("trunk.hip", "no hinge `trunk.hip` on a route")],
+        &[("trunk.hip", "no hinge `trunk.hip` on a route; did you mean `hip`?")],
     );
     expect_tree(
         "load a.b { on = trunk; force = input; }",

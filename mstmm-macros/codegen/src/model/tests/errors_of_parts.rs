@@ -122,6 +122,42 @@ fn parts_are_defined_before_the_first_route() {
 }
 
 #[test]
+fn arguments_and_parameters_are_plain() {
+    let named = "base.tip -> Leg(side = 1, front = 1) rf;";
+    let message = "arguments have no names: remove `side =`";
+    expect_parts(LEG, named, &[("side", message)]);
+    expect_parts(LEG, "base.tip -> Leg[1, 1] rf;", &[("[1, 1]", "write `Leg(1 , 1) rf`")]);
+    let message = "a parameter of a part is a number without a default: write its name only";
+    for (parameter, at) in [("side = 1", "="), ("side: f64", ":")] {
+        let part = format!("part Leg({parameter}) {{ pin a -> Rod b; }}");
+        expect_parts(&part, "base.tip -> Leg(1) rf;", &[(at, message)]);
+    }
+}
+
+#[test]
+fn names_in_a_part_have_a_path() {
+    let leg = |text: &str, errors: &[(&str, &str)]| {
+        expect_parts(LEG, &format!("base.tip -> Leg(1, 1) rf; {text}"), errors);
+    };
+    leg(
+        "hinge kfe { damping = 1; }",
+        &[("kfe", "no hinge `kfe` on a route; did you mean `rf.kfe`?")],
+    );
+    leg(
+        "load w { on = rf.shnk; force = input; }",
+        &[("shnk", "no body `rf.shnk` on a route; did you mean `rf.shank`?")],
+    );
+    let part = "part Link { pin k -> Rod link; last.link.tip -> pin a -> Rod x; }";
+    let set = |from: &str| format!("base.tip -> repeat 3 {from} {{ Link s }};");
+    expect_parts(part, &set("from s.link.tip = base.tip"), &[]);
+    expect_parts(
+        part,
+        &set(""),
+        &[("last.link.tip", "… no first value: write `repeat 3 from s.link.tip = body.place …`")],
+    );
+}
+
+#[test]
 fn a_type_in_a_part_is_known_in_it_only() {
     let foot = "part Leg { body Foot { mass = 1 kg; com = [1, 0, 0] m; \
                 inertia = diag(1, 1, 1) kg*m^2 about com; } pin a -> Rod b -> pin c -> Foot d; }";
