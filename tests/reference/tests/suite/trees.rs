@@ -19,6 +19,15 @@ pub(crate) fn trees() -> impl Iterator<Item = Case> {
     })
 }
 
+/// Returns trees in space of forty bodies.
+pub(crate) fn large_trees() -> impl Iterator<Item = Case> {
+    [Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld].into_iter().map(|ends| {
+        let mut random = Random::new(7);
+        let recipe = TreeRecipe::rich(&mut random, Dimension::Space, 40, ends);
+        tree(&mut random, &format!("Large{ends:?}"), &recipe)
+    })
+}
+
 fn tree(random: &mut Random, name: &str, recipe: &TreeRecipe) -> Case {
     let chain = random_tree(random, name, recipe);
     let (state, drives) = random_motion(random, &chain);
