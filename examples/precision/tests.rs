@@ -45,6 +45,35 @@ fn main() {
 }
 ";
 
+/// A tree: a floating trunk with two legs of a part, a repeated part with a branch, and a spring.
+const TREE: &str = "chain Walker {
+    gravity = [0, 0, -9.81] m/s^2;
+    param load[2] = 0.1 kg;
+    body Trunk {
+        mass = 5 kg; com = [0, 0, 0.1] m; output = [0.5, 0, 0] m;
+        inertia = diag(0.2, 0.3, 0.4) kg*m^2 about com;
+        point left = [0, 0.2, 0] m; point right = [0, -0.2, 0] m;
+    }
+    body Link {
+        mass = 1 kg; com = [0, 0, -0.2] m; output = [0, 0, -0.4] m;
+        inertia = diag(0.02, 0.02, 0.01) kg*m^2 about com;
+    }
+    body Spike { mass = 0.5 kg + load; com = [0.1, 0, 0] m; inertia = diag(0.01, 0.01, 0.01) about com; }
+    part Leg(side) {
+        universal(x, y) hip -> Link thigh -> pin([0, side, 0]) knee -> Link shank;
+        hinge hip { start = [side*10, 5] deg; }
+        hinge knee { torque = input; }
+        load contact { on = shank; at = output; force = input; }
+    }
+    Trunk trunk -> repeat 2 { ball joint -> Link link; link.output -> pin(y) root -> Spike spike; };
+    trunk.left -> Leg(1) left;
+    trunk.right -> Leg(-1) right;
+    hinge root { motion = input; }
+    hinge joint { stiffness = 5; damping = 0.1; }
+    spring cord { on = left.shank.output; to = right.shank.output; stiffness = 50; length = 0.4 m; }
+}
+";
+
 /// Writes a file with this text and returns the output of the command. Every test has a separate file.
 fn run_on(name: &str, text: &str, arguments: &[&str]) -> Result<String, String> {
     let folder = std::env::temp_dir().join("mstmm-precision-tests");
@@ -111,6 +140,18 @@ fn every_kind_of_chain_in_a_file_of_rust_is_compared() {
     assert_eq!(report["errors"]["states"], 20);
     let opened = |which: &str| report["motion"][which].as_f64().expect("a number");
     assert!(opened("opened_double") < 1e-9 && opened("opened_single") < 1e-4);
+}
+
+#[test]
+fn a_tree_is_compared() {
+    let arguments = ["--time", "0.1", "--states", "20", "--inputs", "random", "--json"];
+    let report = json(&run_on("tree.chain", TREE, &arguments).expect("a comparison"));
+    assert_eq!(report["errors"]["states"], 20);
+    // A few hundred roundings, with a condition of some tens.
+    let worst = report["errors"]["accelerations"]["worst"].as_f64().expect("a number");
+    assert!(worst > 0.0 && worst < 1e4 * f64::from(f32::EPSILON), "{worst:e}");
+    let differences = report["motion"]["differences"].as_array().expect("a motion");
+    assert!(differences.iter().any(|row| row["turn"].as_f64() > Some(0.0)));
 }
 
 #[test]
