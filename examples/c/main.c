@@ -58,12 +58,15 @@ int main(void)
     print("time, s", &state.t, 1);
     print("joint angles, rad", state.q, MSTMM_ARM_MOTORS);
     print("hook, quaternion", &state.q[MSTMM_ARM_HOOK], 4);
+    print("mount, rad", &state.q[MSTMM_ARM_COORDINATES - 1], 1);
     print("rates, rad/s", state.v, MSTMM_ARM_RATES);
     print("tip, m", at.points[MSTMM_ARM_AT_PAYLOAD].position, 3);
     print("its orientation", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[0], 3);
     print("", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[1], 3);
     print("", at.points[MSTMM_ARM_AT_PAYLOAD].orientation[2], 3);
     print("its acceleration, m/s2", at.points[MSTMM_ARM_AT_PAYLOAD].acceleration, 3);
+    print("camera, m", at.points[MSTMM_ARM_AT_CAMERA].position, 3);
+    print("force at the mast, N", at.points[MSTMM_ARM_AT_MAST].force, 3);
     print("force at the hook, N", at.points[MSTMM_ARM_AT_HOOK].force, 3);
     print("moment at the base, Nm", at.points[MSTMM_ARM_AT_GROUND].moment, 3);
     print("kinetic energy, J", &at.kinetic_energy, 1);

@@ -1,8 +1,10 @@
 /*
- * An arm with three motors, and a payload that swings on a ball below its end:
+ * An arm with three motors, a payload that swings on a ball below its end, and a camera on a spring
+ * beside its column:
  *
  *     ground -> pin waist -> column -> pin shoulder -> upper arm
  *            -> pin elbow -> forearm -> ball hook -> payload
+ *     column's mast -> pin mount -> camera
  *
  * The library has no static memory, does not allocate, and calls only functions like memcpy. Every
  * function may be called from an interrupt or a thread if no other call writes to its arguments.
@@ -31,33 +33,38 @@ typedef float mstmm_real;
 
 /* The number of each. */
 enum {
-    MSTMM_ARM_COORDINATES = 7,
-    MSTMM_ARM_RATES = 6,
+    MSTMM_ARM_COORDINATES = 8,
+    MSTMM_ARM_RATES = 7,
     MSTMM_ARM_MOTORS = 3,
-    MSTMM_ARM_POINTS = 9
+    MSTMM_ARM_POINTS = 12
 };
 
-/* The hinges. Each number is also the index of the hinge's torque, of its first coordinate and of its
- * first rate. */
+/* The hinges. Up to the hook, each number is also the index of the hinge's torque, of its first
+ * coordinate and of its first rate. The mount has the last coordinate and the last rate. */
 enum {
     MSTMM_ARM_WAIST,    /* pin about z, upward */
     MSTMM_ARM_SHOULDER, /* pin about y; a positive angle lowers the upper arm */
     MSTMM_ARM_ELBOW,    /* pin about y; a positive angle lowers the forearm */
-    MSTMM_ARM_HOOK      /* ball */
+    MSTMM_ARM_HOOK,     /* ball */
+    MSTMM_ARM_MOUNT     /* pin about x, with a spring */
 };
 
 /* The connection points: the ground, which is the input of the waist, then the output of each
- * hinge and body. The input of an element is the output of the previous element. */
+ * hinge and body. The input of an element is the output of the previous element; that of the mount is
+ * the mast. */
 enum {
     MSTMM_ARM_AT_GROUND,
     MSTMM_ARM_AT_WAIST,
     MSTMM_ARM_AT_COLUMN,
+    MSTMM_ARM_AT_MAST, /* a point of the column */
     MSTMM_ARM_AT_SHOULDER,
     MSTMM_ARM_AT_UPPER_ARM,
     MSTMM_ARM_AT_ELBOW,
     MSTMM_ARM_AT_FOREARM,
     MSTMM_ARM_AT_HOOK,
-    MSTMM_ARM_AT_PAYLOAD /* its lower end, the tip */
+    MSTMM_ARM_AT_PAYLOAD, /* its lower end, the tip */
+    MSTMM_ARM_AT_MOUNT,
+    MSTMM_ARM_AT_CAMERA /* its lens */
 };
 
 /* The codes of a status. */
@@ -78,15 +85,16 @@ typedef struct mstmm_status {
 /* The arm with its parameters and its integrator. The contents are private; it may be copied by
  * assignment. */
 typedef struct mstmm_arm {
-    mstmm_real numbers[59];
+    mstmm_real numbers[65];
 } mstmm_arm;
 
 typedef struct mstmm_arm_state {
     /* Angles of the pins in rad; of the hook, the unit quaternion w, x, y, z of the rotation from
-     * components in the payload's frame to components in the forearm's frame. */
+     * components in the payload's frame to components in the forearm's frame. Last, the angle of the
+     * mount in rad. */
     mstmm_real q[MSTMM_ARM_COORDINATES];
     /* Rates of the pins in rad/s; of the hook, the angular velocity of the payload relative to the
-     * forearm, in the payload's frame. */
+     * forearm, in the payload's frame. Last, the rate of the mount in rad/s. */
     mstmm_real v[MSTMM_ARM_RATES];
     /* Time in s. */
     mstmm_real t;
@@ -165,11 +173,11 @@ const char *mstmm_arm_hinge_name(int32_t hinge);
 
 /* The library checks the same sizes. */
 static_assert(sizeof(mstmm_status) == 8, "mstmm_status");
-static_assert(sizeof(mstmm_arm) == 59 * sizeof(mstmm_real), "mstmm_arm");
-static_assert(sizeof(mstmm_arm_state) == 14 * sizeof(mstmm_real), "mstmm_arm_state");
+static_assert(sizeof(mstmm_arm) == 65 * sizeof(mstmm_real), "mstmm_arm");
+static_assert(sizeof(mstmm_arm_state) == 16 * sizeof(mstmm_real), "mstmm_arm_state");
 static_assert(sizeof(mstmm_arm_inputs) == 3 * sizeof(mstmm_real), "mstmm_arm_inputs");
 static_assert(sizeof(mstmm_point) == 30 * sizeof(mstmm_real), "mstmm_point");
-static_assert(sizeof(mstmm_arm_results) == 278 * sizeof(mstmm_real), "mstmm_arm_results");
+static_assert(sizeof(mstmm_arm_results) == 369 * sizeof(mstmm_real), "mstmm_arm_results");
 
 #ifdef __cplusplus
 }

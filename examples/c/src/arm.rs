@@ -18,11 +18,11 @@ pub struct Arm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Coordinates: angles of the three pins in rad, then the unit quaternion w, x, y, z of the
-    /// ball.
-    pub q: [Real; 7],
+    /// ball, then the angle of the camera's mount.
+    pub q: [Real; 8],
     /// Their rates in rad/s: of the three pins, then the angular velocity of the ball in its
-    /// outboard frame.
-    pub v: [Real; 6],
+    /// outboard frame, then that of the mount.
+    pub v: [Real; 7],
     /// Time in s.
     pub t: Real,
 }
@@ -62,13 +62,13 @@ pub struct Point {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Results {
     /// Derivatives of the rates in rad/s².
-    pub accelerations: [Real; 6],
+    pub accelerations: [Real; 7],
     /// In J.
     pub kinetic_energy: Real,
     /// In J.
     pub potential_energy: Real,
-    /// The ground, then the output of every hinge and body.
-    pub points: [Point; 9],
+    /// The ground, then the output of every hinge and body; the mast follows the column's output.
+    pub points: [Point; 12],
 }
 
 impl Arm {
@@ -155,9 +155,9 @@ impl From<mstmm::Point<Real>> for Point {
 // The sizes in the header, as lengths of arrays, so that the compiler reports the right size. A test
 // compares the offsets of fields.
 const REAL: usize = size_of::<Real>();
-const _: [(); 59 * REAL] = [(); size_of::<Arm>()];
+const _: [(); 65 * REAL] = [(); size_of::<Arm>()];
 const _: [(); REAL] = [(); align_of::<Arm>()];
-const _: [(); 14 * REAL] = [(); size_of::<State>()];
+const _: [(); 16 * REAL] = [(); size_of::<State>()];
 const _: [(); 3 * REAL] = [(); size_of::<Inputs>()];
 const _: [(); 30 * REAL] = [(); size_of::<Point>()];
-const _: [(); 278 * REAL] = [(); size_of::<Results>()];
+const _: [(); 369 * REAL] = [(); size_of::<Results>()];

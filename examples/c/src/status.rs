@@ -63,7 +63,7 @@ const CODES: [&CStr; 6] = [
 ];
 
 /// The hinges, in the order of the chain.
-const HINGES: [&CStr; 4] = [c"waist", c"shoulder", c"elbow", c"hook"];
+const HINGES: [&CStr; 5] = [c"waist", c"shoulder", c"elbow", c"hook", c"mount"];
 
 /// Returns the name of a code; empty for an unknown code.
 pub(crate) fn code_name(code: i32) -> &'static CStr {

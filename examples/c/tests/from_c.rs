@@ -75,6 +75,8 @@ fn main_in_rust() -> Result<Vec<Real>, Error> {
     numbers.extend(&tip.position());
     numbers.extend(tip.orientation().matrix().row_iter().flat_map(|row| [row[0], row[1], row[2]]));
     numbers.extend(&tip.acceleration());
+    numbers.extend(&at.camera().output().position());
+    numbers.extend(&at.column().mast().force());
     numbers.extend(&at.hook().output().force());
     numbers.extend(&at.waist().input().moment());
     numbers.extend([at.kinetic_energy(), at.potential_energy()]);

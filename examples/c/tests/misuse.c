@@ -140,6 +140,7 @@ static void names(void)
     CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_SHOULDER), "shoulder"));
     CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_ELBOW), "elbow"));
     CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HOOK), "hook"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_MOUNT), "mount"));
     static const int32_t NONE[] = {-1, INT32_MIN, INT32_MAX, 6};
     for (int i = 0; i < 4; ++i) {
         CHECK(!strcmp(mstmm_code_name(NONE[i]), ""));
