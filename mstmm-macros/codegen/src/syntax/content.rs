@@ -1,14 +1,14 @@
 //! Blocks, routes and unknown items of a chain or of a part.
 
-use proc_macro2::{Delimiter, Span};
-use syn::{Error, Result};
+use proc_macro2::Span;
+use syn::Error;
 
 use super::cursor::Cursor;
 use super::field::{self, Content};
 use super::lookahead::{ITEMS, SETTINGS};
-use super::path::paths;
+use super::path::block_head;
 use super::route_tree::ContentSyntax;
-use super::tree::{BlockKeyword, BlockSyntax, PathSyntax};
+use super::tree::{BlockKeyword, BlockSyntax};
 use super::{other_programs, recover, route};
 use crate::diag::{Diagnostics, nearest};
 
@@ -72,17 +72,6 @@ pub(super) fn block(
         }
         Err(error) => report_and_skip(error, input, def, diagnostics),
     }
-}
-
-/// Parses the names of a block and enters its braces.
-pub(super) fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
-    let names = paths(input)?;
-    if input.peek_group(Delimiter::Bracket) {
-        let message = "a block applies to each repetition: remove the index";
-        return Err(Error::new(input.next_span(), message));
-    }
-    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
-    Ok((names, inside))
 }
 
 /// Parses a route.

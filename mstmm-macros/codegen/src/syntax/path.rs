@@ -1,7 +1,7 @@
-//! Paths: names joined by points.
+//! Paths: names joined by points, also in the heads of blocks.
 
-use proc_macro2::Ident;
-use syn::Result;
+use proc_macro2::{Delimiter, Ident};
+use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::tree::PathSyntax;
@@ -34,7 +34,7 @@ pub(super) fn path(input: &mut Cursor) -> Option<PathSyntax> {
 }
 
 /// Reads the paths in the head of a block, up to its brace.
-pub(super) fn paths(input: &mut Cursor) -> Result<Vec<PathSyntax>> {
+fn paths(input: &mut Cursor) -> Result<Vec<PathSyntax>> {
     let mut paths = Vec::new();
     loop {
         paths.push(path(input).ok_or_else(|| input.unexpected("a name"))?);
@@ -42,6 +42,17 @@ pub(super) fn paths(input: &mut Cursor) -> Result<Vec<PathSyntax>> {
             return Ok(paths);
         }
     }
+}
+
+/// Parses the names of a block and enters its braces.
+pub(super) fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
+    let names = paths(input)?;
+    if input.peek_group(Delimiter::Bracket) {
+        let message = "a block applies to each repetition: remove the index";
+        return Err(Error::new(input.next_span(), message));
+    }
+    let (inside, _) = input.group(Delimiter::Brace).ok_or_else(|| input.unexpected("`{`"))?;
+    Ok((names, inside))
 }
 
 /// Returns whether a path is next: a name and a point.

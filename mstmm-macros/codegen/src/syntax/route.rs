@@ -3,11 +3,10 @@
 use proc_macro2::{Delimiter, Span};
 use syn::{Error, Result};
 
-use super::content;
 use super::cursor::Cursor;
 use super::lookahead::{self, has_arrow};
 use super::number::count;
-use super::path::path_of_several;
+use super::path::{block_head, path_of_several};
 use super::recover::{self, after_error};
 use super::route_item::route_item;
 use super::route_tree::{RepeatSyntax, RouteItemSyntax, RouteSyntax, SeedSyntax, StepSyntax};
@@ -186,9 +185,7 @@ fn repeated_routes(
 fn block(inside: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
     let mut ahead = *inside;
     let Some(word) = ahead.ident() else { return false };
-    if !content::BLOCKS.iter().any(|(block, _)| word == block)
-        || content::block_head(&mut ahead).is_err()
-    {
+    if !lookahead::ITEMS.iter().any(|item| word == item) || block_head(&mut ahead).is_err() {
         return false;
     }
     let place = if word == "body" { "before the first route" } else { "after the route" };
