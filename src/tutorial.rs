@@ -4,7 +4,7 @@ pub mod further {
     #![doc = include_str!("tutorial/further.md")]
 }
 
-#[doc(alias("branch", "contact", "humanoid", "leg", "legged robot", "quadruped", "tree"))]
 pub mod trees {
+    #![doc(alias("branch", "contact", "humanoid", "leg", "legged robot", "quadruped", "tree"))]
     #![doc = include_str!("tutorial/trees.md")]
 }

@@ -237,8 +237,10 @@ mstmm_chain! {
     }
 }
 
+type InSpace<T> = SpringResult<T, Vector3<T>>;
+
 /// Returns length, rate, tension and force of the stays, with the first link turned about z.
-fn hung<T: Scalar>() -> (SpringResult<T, Vector3<T>>, [SpringResult<T, Vector3<T>>; 2]) {
+fn hung<T: Scalar>() -> (InSpace<T>, [InSpace<T>; 2]) {
     let chain = Hung::<T>::new();
     let mut state = chain.initial_state();
     state.a_mut().set_rate([0.0, 2.0, 0.0].map(T::constant).into());

@@ -75,9 +75,6 @@ pub(super) fn allocate<'g>(
             Element::Hinge(_) => None,
         })
         .collect();
-    if points.len() != storage.of.points.len() {
-        bug!("{} connection points have {} states", storage.of.points.len(), points.len())
-    }
     for ((index, at), point) in storage.of.points.enumerate().zip(points) {
         match storage.segments.last() {
             Some((_, last)) if *last == at.repeat => {}
