@@ -130,7 +130,9 @@ fn branches_of_a_repeat_begin_in_it() {
 #[test]
 fn the_first_route_of_a_repeat_continues_the_outer_one() {
     for place in ["beam.tip", "nonsense.tip", "last.link.tip"] {
-        let message = format!("the first route in a `repeat` continues …: remove `{place} ->`, …");
+        let message = format!(
+            "the first route in a `repeat` continues the route around it: remove `{place} ->`, or write a branch after the first route"
+        );
         expect_all(
             &format!(
                 "chain A {{ {ROD} ground -> pin root -> Rod beam \
@@ -143,7 +145,7 @@ fn the_first_route_of_a_repeat_continues_the_outer_one() {
 
 #[test]
 fn a_repeat_contains_routes_only() {
-    let block = "a `repeat` contains routes only: write this block after the route; …";
+    let block = "a `repeat` contains routes only: write this block after the route; it applies to each repetition";
     expect_repeat("", "hinge knot { damping = 1; }", "", &[("hinge", block)]);
     expect_repeat(
         "",
@@ -155,9 +157,17 @@ fn a_repeat_contains_routes_only() {
         "",
         "",
         "hinge knot[0] { damping = 1; }",
-        &[("[0]", "a block applies to each …")],
+        &[("[0]", "a block applies to each repetition: remove the index")],
     );
-    expect_repeat("", "", "link[3].tip -> pin a -> Rod x;", &[("[3]", "a place has no index: …")]);
+    expect_repeat(
+        "",
+        "",
+        "link[3].tip -> pin a -> Rod x;",
+        &[(
+            "[3]",
+            "a place has no index: in a `repeat` it is that of the same repetition, outside of it that of the last one; write `link.place`",
+        )],
+    );
     expect_repeat(
         "from beam.tip -> link.tip",
         "last.link.tip -> pin a -> Rod x;",
@@ -168,7 +178,7 @@ fn a_repeat_contains_routes_only() {
 
 #[test]
 fn keywords_are_no_bodies() {
-    let ground = "the ground has no named places: …";
+    let ground = "the ground has no named places: write `ground at [x, y, z] m` on a route, and `[x, y, z] m` in a spring";
     expect_tree("ground.left -> pin a -> Rod x;", &[("ground", ground)]);
     expect_tree(
         "spring s { on = leg.tip; to = ground.left; stiffness = 1; }",
@@ -176,10 +186,15 @@ fn keywords_are_no_bodies() {
     );
     expect_tree(
         "last.tip -> pin a -> Rod x;",
-        &[("last", "`last` is the previous repetition: name a body and a place in it, as in …")],
+        &[(
+            "last",
+            "`last` is the previous repetition: name a body and a place in it, as in `last.link.output`",
+        )],
     );
     let to = |to: &str| {
-        let message = format!("expected a place on a body, …; found `{to}`");
+        let message = format!(
+            "expected a place on a body, as in `to = body.point`, or a vector for a point on the ground; found `{to}`"
+        );
         expect_tree(
             &format!("spring s {{ on = leg.tip; to = {to}; stiffness = 1; }}"),
             &[(to, &message)],
@@ -189,7 +204,10 @@ fn keywords_are_no_bodies() {
     to("trnk");
     expect_tree(
         "spring s { on = [0, 0, 0] m; to = leg.tip; stiffness = 1; }",
-        &[("[0, 0, 0]", "expected the name of a body on a route, found a vector: write …")],
+        &[(
+            "[0, 0, 0]",
+            "expected the name of a body on a route, found a vector: write a point on the ground after `to`",
+        )],
     );
 }
 

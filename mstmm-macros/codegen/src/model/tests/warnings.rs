@@ -162,5 +162,8 @@ fn the_first_value_of_a_repeat_is_used() {
         )
     };
     expect_chain(&repeat("last.link.output -> pin a -> Rod x"), &[]);
-    expect_chain(&repeat("link.output -> pin a -> Rod x"), &["link"]);
+    let warnings = warnings_in(&repeat("link.output -> pin a -> Rod x"));
+    let message =
+        "`link.output` is not used: no route and no spring of this `repeat` has `last.link.output`";
+    assert_eq!(warnings, [("link".to_owned(), message.to_owned())]);
 }
