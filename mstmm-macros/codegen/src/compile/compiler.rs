@@ -1,10 +1,8 @@
 //! Traces a chain's equations: runs them on formulas.
 
-use super::point_storage::{self, PointStorage};
+use super::point_storage::PointStorage;
 use super::{layouts, outputs};
-use crate::equations::{
-    self, AXES, EvalContext, ForwardDynamics, SpringReport, SymbolValues, Trace,
-};
+use crate::equations::{self, AXES, EvalContext, HingePivot, SymbolValues, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
@@ -30,17 +28,17 @@ impl<'g> From<Function<'g>> for Traced<'g> {
 
 /// A chain with a symbolic state.
 pub(super) struct ChainCompiler<'a> {
-    chain: &'a Chain,
-    findings: &'a Findings,
-    layout: &'a Layout,
+    pub(super) chain: &'a Chain,
+    pub(super) findings: &'a Findings,
+    pub(super) layout: &'a Layout,
     /// The layout with welded bodies merged, whose hinges have the same ids.
-    merged: &'a Layout,
-    unknowns: &'a Unknowns,
-    graph: &'a Graph,
-    numbers: SymbolValues<Expr<'a>>,
-    q: Vec<Expr<'a>>,
-    v: Vec<Expr<'a>>,
-    inputs: Vec<Expr<'a>>,
+    pub(super) merged: &'a Layout,
+    pub(super) unknowns: &'a Unknowns,
+    pub(super) graph: &'a Graph,
+    pub(super) numbers: SymbolValues<Expr<'a>>,
+    pub(super) q: Vec<Expr<'a>>,
+    pub(super) v: Vec<Expr<'a>>,
+    pub(super) inputs: Vec<Expr<'a>>,
     step: Expr<'a>,
 }
 
@@ -51,10 +49,7 @@ impl<'a> ChainCompiler<'a> {
         unknowns: &'a Unknowns,
         graph: &'a Graph,
     ) -> Self {
-        let symbols = |argument, stage| -> Vec<Expr<'a>> {
-            let symbols = unknowns.of(argument).into_iter();
-            symbols.map(|symbol| graph.symbol(symbol, stage)).collect()
-        };
+        let symbols = |argument, stage| symbols(unknowns, graph, (argument, stage));
         let parameters = (0..chain.parameters.len()).map(ParameterId);
         let inputs = layout.inputs.ids().into_iter();
         ChainCompiler {
@@ -78,7 +73,12 @@ impl<'a> ChainCompiler<'a> {
         }
     }
 
-    fn context<'b>(&'b self, layout: &'b Layout) -> EvalContext<'b, Expr<'a>> {
+    /// Returns the symbols of an argument of all evaluations.
+    pub(super) fn symbols(&self, argument: Argument) -> Vec<Expr<'a>> {
+        symbols(self.unknowns, self.graph, (argument, Stage::State))
+    }
+
+    pub(super) fn context<'b>(&'b self, layout: &'b Layout) -> EvalContext<'b, Expr<'a>> {
         self.context_with(layout, &self.numbers)
     }
 
@@ -104,7 +104,7 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// Runs equations with repeated parts as loops; returns their result and a function without outputs.
-    fn traced<R>(
+    pub(super) fn traced<R>(
         &self,
         equations: impl Fn(&LoopTracer<'a>, &mut Trace<Expr<'a>>) -> R,
     ) -> (R, Function<'a>) {
@@ -118,7 +118,7 @@ impl<'a> ChainCompiler<'a> {
         (result, Function { loops, headings, ..self.function(Stage::State) })
     }
 
-    fn function(&self, stage: Stage) -> Function<'a> {
+    pub(super) fn function(&self, stage: Stage) -> Function<'a> {
         Function {
             graph: self.graph,
             unknowns: self.unknowns,
@@ -130,13 +130,13 @@ impl<'a> ChainCompiler<'a> {
         }
     }
 
-    fn output(&self, id: OutputId, layout: ArrayLayout, values: &[Expr<'a>]) -> Output {
+    pub(super) fn output(&self, id: OutputId, layout: ArrayLayout, values: &[Expr<'a>]) -> Output {
         let values = values.iter().map(|&value| self.graph.edge(value)).collect();
         Output { id, layout, values, by_entry: false }
     }
 
     /// Returns an output outside of repeated parts.
-    fn once(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
+    pub(super) fn once(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
         self.output(id, ArrayLayout::once(values.len()), values)
     }
 
@@ -145,24 +145,14 @@ impl<'a> ChainCompiler<'a> {
         self.output(id, layout, values)
     }
 
-    fn rates(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
+    pub(super) fn rates(&self, id: OutputId, values: &[Expr<'a>]) -> Output {
         self.output(id, layouts::rates(self.chain, self.layout), values)
     }
 
-    fn springs(&self, springs: &[SpringReport<Expr<'a>>]) -> Output {
-        let translations = self.chain.dimension.translations();
-        let of_spring = |spring: &SpringReport<Expr<'a>>| {
-            let force = translations.iter().map(|&axis| spring.force[axis]);
-            [spring.length, spring.length_rate, spring.tension].into_iter().chain(force).collect()
-        };
-        let values: Vec<Vec<Expr>> = springs.iter().map(of_spring).collect();
-        self.output(outputs::SPRINGS, layouts::springs(self.chain), &values.concat())
-    }
-
     /// Returns the pivots that are not known to be positive.
-    fn pivots(&self, solved: &ForwardDynamics<Expr<'a>>) -> Vec<NamedPivot> {
-        let unsure = solved.pivots.iter().filter(|pivot| !is_positive(pivot));
-        let pivot = |pivot: &equations::HingePivot<Expr<'a>>| {
+    pub(super) fn pivots(&self, pivots: &[HingePivot<Expr<'a>>]) -> Vec<NamedPivot> {
+        let unsure = pivots.iter().filter(|pivot| !is_positive(pivot));
+        let pivot = |pivot: &HingePivot<Expr<'a>>| {
             let hinge = self.merged.links[pivot.link].hinge;
             NamedPivot {
                 hinge: self.chain.hinges[hinge].path.clone(),
@@ -190,53 +180,7 @@ impl<'a> ChainCompiler<'a> {
             equations::forward_dynamics(&context, self.method(), AXES, trace)
         });
         let outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
-        Function { outputs, pivots: self.pivots(&solved), ..function }.into()
-    }
-
-    pub(super) fn solution(&self) -> Traced<'a> {
-        let results = self.chain.results;
-        let ((solved, report, energy, springs), function) = self.traced(|tracer, trace| {
-            let merged = self.context(self.merged).with_loops(tracer);
-            let (solved, swept) =
-                equations::forward_dynamics_with_wrenches(&merged, self.method(), AXES, trace);
-            let context = self.context(self.layout).with_loops(tracer);
-            let report = equations::report(&context, (&solved, &swept), trace);
-            let energy = results.energies.then(|| equations::energy(&context, trace));
-            let springs = results.z.then(|| equations::spring_report(&merged, AXES, trace));
-            (solved, report, energy, springs.unwrap_or_default())
-        });
-        let pivots = self.pivots(&solved);
-        let (storage, numbers) =
-            point_storage::allocate(self.chain, self.graph, &report.points, &self.numbers);
-        let all_rates = || layouts::all_rates(self.chain, self.layout);
-        let by_entry = |output: Output| Output { by_entry: true, ..output };
-        let mut outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];
-        if self.chain.has_prescribed_hinges() {
-            let id = outputs::ALL_ACCELERATIONS;
-            outputs.push(self.output(id, all_rates(), &report.accelerations));
-        }
-        outputs.push(self.output(outputs::EFFORTS, all_rates(), &report.efforts));
-        if let Some(energy) = energy {
-            let energies = [energy.kinetic, energy.potential];
-            outputs.push(by_entry(self.once(outputs::ENERGIES, &energies)));
-        }
-        if let Some(reaction) = solved.reaction {
-            let wrenches = reaction.undetermined.into_iter();
-            let numbers = wrenches.flat_map(|w| w.force.0.into_iter().chain(w.moment.0));
-            outputs.push(self.once(outputs::UNDETERMINED, &numbers.collect::<Vec<_>>()));
-        }
-        let layout = layouts::numbers_of_points(self.chain, &storage);
-        outputs.push(by_entry(self.output(outputs::POINT_NUMBERS, layout, &numbers)));
-        let felt = |&axis: &usize| {
-            if results.z { report.base_acceleration[axis] } else { Expr::Number(0.0) }
-        };
-        let base_acceleration: Vec<Expr> =
-            self.chain.dimension.translations().iter().map(felt).collect();
-        outputs.push(by_entry(self.once(outputs::BASE_ACCELERATION, &base_acceleration)));
-        if !springs.is_empty() {
-            outputs.push(by_entry(self.springs(&springs)));
-        }
-        Traced { function: Function { outputs, pivots, ..function }, storage: Some(storage) }
+        Function { outputs, pivots: self.pivots(&solved.pivots), ..function }.into()
     }
 
     pub(super) fn energy(&self) -> Traced<'a> {
@@ -325,14 +269,6 @@ impl<'a> ChainCompiler<'a> {
         Function { outputs, ..self.function(Stage::State) }.into()
     }
 
-    pub(super) fn bias_efforts(&self) -> Traced<'a> {
-        let (efforts, function) = self.traced(|tracer, trace| {
-            equations::bias_efforts(&self.context(self.merged).with_loops(tracer), AXES, trace)
-        });
-        let outputs = vec![self.rates(outputs::BIAS_EFFORTS, &efforts)];
-        Function { outputs, ..function }.into()
-    }
-
     /// Returns the function that derives the slots of all other functions and the values to be checked.
     pub(super) fn setup(&self, setup: &SetupSlots, checks: &[Check]) -> Function<'a> {
         let mut outputs = Vec::new();
@@ -359,6 +295,15 @@ impl<'a> ChainCompiler<'a> {
     }
 }
 
+/// Returns the symbols of an argument that is known at a stage.
+fn symbols<'g>(
+    unknowns: &Unknowns,
+    graph: &'g Graph,
+    (argument, stage): (Argument, Stage),
+) -> Vec<Expr<'g>> {
+    unknowns.of(argument).into_iter().map(|symbol| graph.symbol(symbol, stage)).collect()
+}
+
 /// Converts a section of a trace to edges; known numbers need no name.
 fn heading(section: &equations::TraceSection<Expr>) -> Heading {
     let formula = |(name, expr): &(String, Expr)| match expr {
@@ -374,7 +319,7 @@ fn heading(section: &equations::TraceSection<Expr>) -> Heading {
 }
 
 /// Returns whether a pivot is a known number that is positive beyond rounding, so that it needs no test at run time.
-fn is_positive(pivot: &equations::HingePivot<Expr>) -> bool {
+fn is_positive(pivot: &HingePivot<Expr>) -> bool {
     match (pivot.value.known(), pivot.scale.known()) {
         (Some(value), Some(scale)) => value > PIVOT_ULPS * f64::EPSILON * scale,
         _ => false,

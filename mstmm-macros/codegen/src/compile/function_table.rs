@@ -3,9 +3,9 @@
 use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
 use crate::examine::Findings;
-use crate::model::{Answer, Chain, ClosureRank, Layout, Passive};
+use crate::model::{Answer, Chain, ClosureRank, Layout, Passive, Request};
 use crate::passes::Checks;
-use crate::program::Failure;
+use crate::program::{Failure, OutputId};
 
 /// The specification of a function.
 pub(super) struct FunctionSpec {
@@ -20,11 +20,10 @@ pub(super) struct FunctionSpec {
 }
 
 /// Accelerations must be finite; after a failure the caller's vector is unchanged.
-const SOLVED: Option<Checks> =
-    Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Untouched });
+const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 10] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 16] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -83,11 +82,60 @@ pub(super) static FUNCTIONS: [FunctionSpec; 10] = [
     },
     FunctionSpec {
         answer: Answer::BiasEfforts,
-        when: |chain, _, _| chain.answers.contains(&Answer::BiasEfforts),
+        when: |chain, _, _| {
+            [Request::BiasEfforts, Request::InverseDynamics].iter().any(|&it| asks(chain, it))
+        },
         trace: |chain| chain.bias_efforts(),
-        checks: Some(Checks { finite: outputs::BIAS_EFFORTS, failure: Failure::Untouched }),
+        checks: checked(outputs::BIAS_EFFORTS),
+    },
+    FunctionSpec {
+        answer: Answer::InverseDynamics,
+        when: |chain, _, _| asks(chain, Request::InverseDynamics),
+        trace: |chain| chain.inverse_dynamics(),
+        checks: checked(outputs::EFFORTS),
+    },
+    FunctionSpec {
+        answer: Answer::GravityEfforts,
+        when: |chain, _, _| asks(chain, Request::InverseDynamics),
+        trace: |chain| chain.gravity_efforts(),
+        checks: checked(outputs::EFFORTS),
+    },
+    FunctionSpec {
+        answer: Answer::PassiveEfforts,
+        when: |chain, _, _| asks(chain, Request::InverseDynamics),
+        trace: |chain| chain.passive_efforts(),
+        checks: checked(outputs::EFFORTS),
+    },
+    FunctionSpec {
+        answer: Answer::InverseSolution,
+        when: |chain, _, layout| {
+            asks(chain, Request::InverseDynamics) && layout.loop_hinges.is_empty()
+        },
+        trace: |chain| chain.inverse_solution(),
+        checks: Some(Checks { finite: outputs::EFFORTS, failure: Failure::Reset }),
+    },
+    FunctionSpec {
+        answer: Answer::MassMatrixTimes,
+        when: |chain, _, _| asks(chain, Request::MassMatrix),
+        trace: |chain| chain.mass_matrix_times(),
+        checks: checked(outputs::PRODUCT),
+    },
+    FunctionSpec {
+        answer: Answer::InverseMassMatrixTimes,
+        when: |chain, _, layout| asks(chain, Request::MassMatrix) && layout.loop_hinges.is_empty(),
+        trace: |chain| chain.inverse_mass_matrix_times(),
+        checks: checked(outputs::PRODUCT),
     },
 ];
+
+/// The output must be finite; after a failure the caller's storage is unchanged.
+const fn checked(finite: OutputId) -> Option<Checks> {
+    Some(Checks { finite, failure: Failure::Untouched })
+}
+
+fn asks(chain: &Chain, request: Request) -> bool {
+    chain.requests.contains(&request)
+}
 
 fn always(_: &Chain, _: &Findings, _: &Layout) -> bool {
     true

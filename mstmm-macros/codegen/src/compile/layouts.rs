@@ -41,6 +41,21 @@ pub fn parameter(chain: &Chain, index: usize) -> ArrayLayout {
     of(chain, [(1, repeat)])
 }
 
+/// Returns the layout of all parameters.
+pub fn parameters(chain: &Chain) -> ArrayLayout {
+    let parameter = |index: usize| {
+        let is_repeated = chain.parameters[index].repetitions.is_some();
+        (1, is_repeated.then(|| chain.repeat_of_parameter(index)).flatten())
+    };
+    of(chain, (0..chain.parameters.len()).map(parameter))
+}
+
+/// Returns the layout of all inputs.
+pub fn inputs(chain: &Chain, layout: &Layout) -> ArrayLayout {
+    let inputs = layout.inputs.iter();
+    of(chain, inputs.map(|input| (input.range.len(), chain.repeat_of_input(input.what))))
+}
+
 /// Returns the layout of an input.
 pub fn input(chain: &Chain, input: &Input) -> ArrayLayout {
     of(chain, [(input.range.len(), chain.repeat_of_input(input.what))])

@@ -2,10 +2,12 @@
 
 mod compiler;
 mod function_table;
+mod inverse_dynamics;
 pub mod layouts;
 pub mod outputs;
 mod pipeline;
 mod point_storage;
+mod solution;
 mod text;
 mod unknowns;
 

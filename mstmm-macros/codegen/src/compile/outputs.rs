@@ -31,6 +31,8 @@ pub const RESIDUAL: OutputId = OutputId::new("residual");
 pub const CLOSURE_PIVOTS: OutputId = OutputId::new("closure_pivots");
 /// The bias efforts: the efforts at which all accelerations vanish, in the order of `v`.
 pub const BIAS_EFFORTS: OutputId = OutputId::new("bias_efforts");
+/// The product of a matrix with the given vector, in the order of `v`.
+pub const PRODUCT: OutputId = OutputId::new("product");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

@@ -3,15 +3,15 @@
 use super::layouts;
 use crate::function::Unknowns;
 use crate::ids::ParameterId;
-use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout};
-use crate::program::{Argument, ArrayLayout};
+use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout, Request};
+use crate::program::{Argument, ArrayLayout, Given};
 use proc_macro2::Ident;
 use std::collections::HashSet;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Returns the unknowns of a chain: parameters, constants, the elimination steps of a loop closure of this rank,
-/// coordinates, rates, inputs, and the length of an implicit step.
+/// coordinates, rates, inputs, the length of an implicit step, and the vectors that its requested functions are given.
 pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unknowns {
     let free = || chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
     let coordinates = free().flat_map(|hinge| named(hinge, coordinates(hinge.kind.spec())));
@@ -48,7 +48,47 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
     for (argument, layout, names) in all.into_iter().chain(inputs).chain([step]) {
         add(argument, layout, names);
     }
+    for given in given(&chain.requests) {
+        let (layout, name) = match given {
+            Given::Accelerations => (layouts::rates(chain, layout), "acceleration"),
+            Given::Vector => (layouts::rates(chain, layout), "vector"),
+            Given::CoordinateDirection => (layouts::rates(chain, layout), "coordinate_direction"),
+            Given::RateDirection => (layouts::rates(chain, layout), "rate_direction"),
+            Given::InputDirection => (layouts::inputs(chain, layout), "input_direction"),
+            Given::ParameterDirection => (layouts::parameters(chain), "parameter_direction"),
+        };
+        let names = numbered(name, layout.entries());
+        add(Argument::Given(given), layout, names);
+    }
     unknowns
+}
+
+/// Returns the vectors that the functions of these requests are given, each once.
+fn given(requests: &[Request]) -> Vec<Given> {
+    let of_request = |request: &Request| match request {
+        Request::InverseDynamics | Request::Regressor | Request::Derivatives => {
+            &[Given::Accelerations][..]
+        }
+        Request::MassMatrix | Request::Pull => &[Given::Vector],
+        Request::Push => &[
+            Given::CoordinateDirection,
+            Given::RateDirection,
+            Given::InputDirection,
+            Given::ParameterDirection,
+        ],
+        Request::BiasEfforts
+        | Request::Kinematics
+        | Request::Jacobian
+        | Request::Momentum
+        | Request::Linearize => &[],
+    };
+    let mut all: Vec<Given> = Vec::new();
+    for &given in requests.iter().flat_map(of_request) {
+        if !all.contains(&given) {
+            all.push(given);
+        }
+    }
+    all
 }
 
 fn coordinates(shape: &HingeSpec) -> Vec<&'static str> {

@@ -6,7 +6,7 @@ use super::names::helper;
 use super::printer::Printer;
 use super::{EmitContext, sealed};
 use crate::ids::InputId;
-use crate::program::{Argument, ArrayRole, ArraySlice, ValueId};
+use crate::program::{Argument, ArrayRole, ArraySlice, Given, ValueId};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -31,6 +31,7 @@ pub fn load(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
     match argument {
         Argument::Coordinates => of_state(quote!(state_.q)),
         Argument::Rates => of_state(quote!(state_.v)),
+        Argument::Given(given) => of_state(self::given(given)),
         Argument::Parameter(parameter) => {
             let field = &cx.chain.parameters[parameter.index()].name;
             let names = names(printer, into);
@@ -73,6 +74,7 @@ pub fn loop_input(
     match argument {
         Argument::Coordinates => slices(quote!(state_.q)),
         Argument::Rates => slices(quote!(state_.v)),
+        Argument::Given(given) => slices(self::given(given)),
         Argument::Slots(Some(part)) => slices(sealed::of_part(cx, &quote!(self), part)),
         Argument::Parameter(parameter) => {
             let field = &cx.chain.parameters[parameter.index()].name;
@@ -90,6 +92,18 @@ pub fn loop_input(
         | Argument::Step
         | Argument::Time
         | Argument::Slots(None) => bug!("a loop reads an argument outside of repeated parts"),
+    }
+}
+
+/// Returns the vector that the caller gives.
+pub fn given(given: Given) -> TokenStream {
+    match given {
+        Given::Accelerations => quote!((*accelerations_)),
+        Given::Vector => quote!((*vector_)),
+        Given::CoordinateDirection => quote!(direction_.coordinates),
+        Given::RateDirection => quote!(direction_.rates),
+        Given::InputDirection => quote!(direction_.inputs),
+        Given::ParameterDirection => quote!(direction_.parameters),
     }
 }
 

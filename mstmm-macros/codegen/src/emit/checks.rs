@@ -33,7 +33,13 @@ pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
                     quote!(#mstmm::generated::check_finite_slice::<T>(state_.v.as_slice())?;),
                 );
             }
-            _ => bug!("only inputs, coordinates and rates are tested first"),
+            ArrayRole::Argument(Argument::Given(given)) => {
+                let vector = super::arguments::given(given);
+                vectors.extend(
+                    quote!(#mstmm::generated::check_finite_slice::<T>(#vector.as_slice())?;),
+                );
+            }
+            _ => bug!("only inputs, coordinates, rates and given vectors are tested first"),
         }
     }
     if !slices.is_empty() {

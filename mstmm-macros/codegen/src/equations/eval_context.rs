@@ -34,6 +34,10 @@ pub struct EvalContext<'a, S> {
     /// The length of the step in s, if the accelerations are those of a linearly implicit Euler
     /// step.
     pub implicit: Option<S>,
+    /// The accelerations `v̇` of the free rates, where they are given.
+    pub accelerations: Option<&'a [S]>,
+    /// A small displacement along the free rates, to which the equations hold to first order.
+    pub displacement: Option<&'a [S]>,
     /// Whether some bodies have inertia in all directions only because of the loop constraints.
     pub held_by_closure: bool,
     /// The number of independent loop constraints.
@@ -60,6 +64,8 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             v,
             inputs,
             implicit: None,
+            accelerations: None,
+            displacement: None,
             held_by_closure: false,
             closure_rank: ClosureRank::Unknown,
             tree: LinkTree::new(layout),
@@ -77,6 +83,18 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
     /// Returns this context for a linearly implicit Euler step of length `step`, in s.
     pub fn with_implicit_step(self, step: S) -> Self {
         EvalContext { implicit: Some(step), ..self }
+    }
+
+    /// Returns this context with given accelerations `v̇` of the free rates.
+    pub fn with_accelerations(self, accelerations: &'a [S]) -> Self {
+        EvalContext { accelerations: Some(accelerations), ..self }
+    }
+
+    /// Returns this context at coordinates that differ from `q` by a small displacement along the free
+    /// rates. The equations hold to first order in it: they are exact if its values are dual numbers
+    /// with the real part zero, or if it is set to zero after a differentiation.
+    pub fn with_displacement(self, displacement: &'a [S]) -> Self {
+        EvalContext { displacement: Some(displacement), ..self }
     }
 
     /// Returns this context with `hook` at the boundaries of repeated parts.
@@ -171,6 +189,18 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
             Some(given) => &given[first..first + count],
             None => &self.v[self.layout.v[hinge].clone()],
         }
+    }
+
+    /// Returns the displacement of a hinge along its rates, if there is one.
+    pub fn displacement(&self, hinge: HingeId) -> Option<&'a [S]> {
+        let displacement = self.displacement.filter(|_| self.prescribed(hinge).is_none());
+        displacement.map(|all| &all[self.layout.v[hinge].clone()])
+    }
+
+    /// Returns the given accelerations of the rates of a hinge, if they are given and free.
+    pub fn given_accelerations(&self, hinge: HingeId) -> Option<&'a [S]> {
+        let accelerations = self.accelerations.filter(|_| self.prescribed(hinge).is_none());
+        accelerations.map(|all| &all[self.layout.v[hinge].clone()])
     }
 
     /// Returns the accelerations of a hinge whose motion is prescribed.

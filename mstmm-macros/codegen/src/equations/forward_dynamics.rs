@@ -154,7 +154,7 @@ fn solve<S: Scalar, R>(
 }
 
 /// Returns the Newton-Euler equations as a linear problem.
-fn motion_problem<'a, S: Scalar>(
+pub(super) fn motion_problem<'a, S: Scalar>(
     context: &EvalContext<'a, S>,
     links: &'a PerLink<LinkKinematics<S>>,
     loop_hinge: Option<&'a LoopHinge<S>>,

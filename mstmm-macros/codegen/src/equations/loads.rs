@@ -34,6 +34,18 @@ pub fn loads<S: Scalar>(
     wrenches
 }
 
+/// Returns the wrench of springs between bodies on every link, about its point, in its work axes.
+pub fn spring_wrenches<S: Scalar>(
+    context: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
+) -> PerLink<Wrench<S>> {
+    let mut wrenches = PerLink::filled(Wrench::zero(), links.len());
+    if !context.chain.springs.is_empty() {
+        Springs::new(context, links, &poses(context, links)).add_to(&mut wrenches);
+    }
+    wrenches
+}
+
 fn load_wrench<S: Scalar>(
     context: &EvalContext<S>,
     (index, load): (LoadId, &Load),

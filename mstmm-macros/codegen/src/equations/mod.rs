@@ -45,12 +45,14 @@ mod base_parameters;
 mod eval_context;
 mod hinge_wrenches;
 mod motion_problem;
+mod open_chain;
 mod point_reader;
 mod report;
 mod riccati;
 mod springs;
 mod strategy;
 mod sweep;
+mod tangent;
 mod trace;
 mod transfer;
 
@@ -60,9 +62,13 @@ pub use forward_dynamics::{
     ForwardDynamics, LoopReaction, OutboardState, SweepResult, forward_dynamics,
     forward_dynamics_with_wrenches,
 };
-pub use inverse_dynamics::bias_efforts;
+pub use inverse_dynamics::{
+    gravity_efforts, inverse_dynamics, inverse_dynamics_with_wrenches, mass_matrix_times,
+    passive_efforts,
+};
 pub use kinematics::{LinkKinematics, kinematics};
 pub use motion_problem::HingePivot;
+pub use open_chain::OpenChain;
 pub use point_reader::{FramedVector, PointState};
 pub use projection::{Projection, displace, project};
 pub use report::{Report, report};
@@ -70,4 +76,5 @@ pub use springs::{SpringReport, spring_report};
 pub use strategy::{AXES, Axes};
 pub use sweep::{Channel, LinkTree, LoopHook};
 pub use symbol_values::SymbolValues;
+pub use tangent::{Direction, Tangent};
 pub use trace::{Trace, TraceSection};

@@ -179,7 +179,7 @@ fn wrenches<S: Scalar>(
     context.tree.inward(sums, WrenchSum(None), step).0
 }
 
-/// Returns the efforts along all rates. For a prescribed motion the effort is `Sᵀ F`, plus the
+/// Returns the efforts along all rates. For a prescribed motion and for given accelerations the effort is `Sᵀ F`, plus the
 /// effort of rotors, minus the efforts of passive elements.
 fn hinge_efforts<S: Scalar>(
     context: &EvalContext<S>,
@@ -187,9 +187,9 @@ fn hinge_efforts<S: Scalar>(
     accelerations: &[S],
 ) -> Vec<S> {
     let efforts = |(index, hinge_wrench): (HingeId, &Option<HingeWrench<S>>)| {
-        let (true, Some(HingeWrench { hinge, on_child, .. })) =
-            (context.chain.hinges[index].is_prescribed(), hinge_wrench)
-        else {
+        let is_known =
+            context.chain.hinges[index].is_prescribed() || context.accelerations.is_some();
+        let (true, Some(HingeWrench { hinge, on_child, .. })) = (is_known, hinge_wrench) else {
             return context.actuator_efforts(index);
         };
         let accelerations = &accelerations[context.layout.rates[index].clone()];

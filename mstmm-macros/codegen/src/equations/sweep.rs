@@ -60,6 +60,11 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         LinkTree { hook: Some(hook), ..self }
     }
 
+    /// Returns the hook at the boundaries of repeated parts, if there is one.
+    pub fn hook(&self) -> Option<&'a dyn LoopHook<S>> {
+        self.hook
+    }
+
     /// Whether a repeated part begins or ends at a link.
     pub fn is_boundary(&self, link: LinkId) -> bool {
         self.layout.links[link].boundary.is_some()

@@ -23,12 +23,24 @@ pub enum Answer {
     Start,
     /// Inverse dynamics at zero accelerations: the efforts that keep all rates constant.
     BiasEfforts,
+    /// Inverse dynamics: the efforts for given accelerations.
+    InverseDynamics,
+    /// The efforts that balance gravity at rest.
+    GravityEfforts,
+    /// The efforts of springs, dampers, friction and stops.
+    PassiveEfforts,
+    /// Everything that `results` names, for given accelerations.
+    InverseSolution,
+    /// The product of the mass matrix with a vector.
+    MassMatrixTimes,
+    /// The product of the inverse of the mass matrix with a vector.
+    InverseMassMatrixTimes,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 10] = [
+    pub const ALL: [Answer; 16] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -39,6 +51,12 @@ impl Answer {
         Answer::ClosurePivots,
         Answer::Start,
         Answer::BiasEfforts,
+        Answer::InverseDynamics,
+        Answer::GravityEfforts,
+        Answer::PassiveEfforts,
+        Answer::InverseSolution,
+        Answer::MassMatrixTimes,
+        Answer::InverseMassMatrixTimes,
     ];
 
     /// Returns its name in the text of a program.
@@ -54,22 +72,12 @@ impl Answer {
             Answer::ClosurePivots => "closure_pivots",
             Answer::Start => "start",
             Answer::BiasEfforts => "bias_efforts",
-        }
-    }
-
-    /// Returns its keyword in `answers = […];`, or `None` if chains have it without asking.
-    pub fn word(self) -> Option<&'static str> {
-        match self {
-            Answer::BiasEfforts => Some(self.name()),
-            Answer::Accelerations
-            | Answer::ImplicitAccelerations
-            | Answer::Solution
-            | Answer::Energy
-            | Answer::CoordinateRates
-            | Answer::Normalized
-            | Answer::Correction
-            | Answer::ClosurePivots
-            | Answer::Start => None,
+            Answer::InverseDynamics => "inverse_dynamics",
+            Answer::GravityEfforts => "gravity_efforts",
+            Answer::PassiveEfforts => "passive_efforts",
+            Answer::InverseSolution => "inverse_solution",
+            Answer::MassMatrixTimes => "mass_matrix_times",
+            Answer::InverseMassMatrixTimes => "inverse_mass_matrix_times",
         }
     }
 }

@@ -14,6 +14,7 @@ mod load;
 mod lower;
 mod parameter_uses;
 mod repeat_boundaries;
+mod request;
 mod results;
 mod rules;
 #[cfg(test)]
@@ -32,6 +33,7 @@ pub use hinge::{
 pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
 pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
 pub(crate) use lower::listed;
+pub use request::{ANSWER_WORDS, Request};
 pub use results::Results;
 pub use rules::Check;
 pub use value::{Symbol, Value};
@@ -78,8 +80,8 @@ pub struct Chain {
     pub method: Option<SolutionMethod>,
     /// The results of its solution.
     pub results: Results,
-    /// Further answers, which are generated only if the description asks for them.
-    pub answers: Vec<Answer>,
+    /// What the description asks for beside the functions that every chain has, each once.
+    pub requests: Vec<Request>,
     /// Requirements on Rust constants, whose values only `rustc` knows.
     pub assertions: Vec<Requirement>,
 }

@@ -255,13 +255,21 @@ impl Lowering<'_> {
         layout.is_some_and(|it| it.segments.iter().any(|segment| segment.repeat.is_some()))
     }
 
-    /// Tests the inputs that no result covers, and also the coordinates and rates if there are loops or repeated parts.
+    /// Returns whether the program reads an argument.
+    fn is_read(&self, argument: Argument) -> bool {
+        let own = self.function.unknowns.of(argument);
+        let of_loops = self.program.loops().flat_map(|loop_| &loop_.unknowns);
+        self.program.unknowns.iter().chain(of_loops).any(|(symbol, _)| own.contains(*symbol))
+    }
+
+    /// Tests the inputs and the caller's vectors that no result covers, and also the coordinates and rates if there are loops or repeated parts.
     fn check_arguments(&mut self, finiteness: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_tested = |argument: &Argument| match argument {
             Argument::Input(_) => true,
             Argument::Coordinates | Argument::Rates => self.looped || self.has_repeated(*argument),
+            Argument::Given(_) => self.is_read(*argument),
             _ => false,
         };
         let is_uncovered = |argument: &Argument| {

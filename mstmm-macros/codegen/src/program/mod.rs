@@ -17,7 +17,7 @@ pub use layout::{ArrayLayout, Segment};
 pub use names::{ValueId, ValueNames};
 pub use procedure::{
     Argument, Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, Failure, ForLoop,
-    OutputId, PivotTest, PivotValue, Procedure, Repetition, ResultCheck, Step, Witness,
+    Given, OutputId, PivotTest, PivotValue, Procedure, Repetition, ResultCheck, Step, Witness,
 };
 
 use crate::ids::{IdVec, RepeatId, SymbolId, declare_id};

@@ -77,9 +77,28 @@ pub enum Argument {
     Input(InputId),
     /// The length of a linearly implicit step.
     Step,
+    /// A vector that the caller gives.
+    Given(Given),
     /// The slots: values that the setup derives from parameters and constants, of one repeated part or of everything
     /// outside of repeated parts.
     Slots(Option<RepeatId>),
+}
+
+/// A vector that the caller gives to a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Given {
+    /// Accelerations, one for each rate.
+    Accelerations,
+    /// The factor of a product, one entry for each rate.
+    Vector,
+    /// The part of a direction along the coordinates: a small motion along the rates.
+    CoordinateDirection,
+    /// The part of a direction along the rates.
+    RateDirection,
+    /// The part of a direction along the inputs.
+    InputDirection,
+    /// The part of a direction along the parameters.
+    ParameterDirection,
 }
 
 /// A result of a procedure, by name.

@@ -1,4 +1,4 @@
-//! The methods for accelerations, the complete solution, energy and bias efforts.
+//! The methods for accelerations, the complete solution and energy, and the forms of methods that return by value.
 
 use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
@@ -12,9 +12,23 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// Returns the argument for a vector of one entry per rate, which the caller owns.
-fn lent_rates(cx: &EmitContext, name: &TokenStream) -> TokenStream {
+pub(super) fn lent_rates(cx: &EmitContext, name: &TokenStream) -> TokenStream {
     let (mstmm, count) = (&cx.mstmm, usize_literal(cx.rates().total));
     quote!(#name: &mut #mstmm::nalgebra::SVector<T, #count>,)
+}
+
+/// Returns the arguments for the state, given accelerations and the inputs.
+pub(super) fn of_accelerations(cx: &EmitContext) -> TokenStream {
+    let (mstmm, count) = (&cx.mstmm, usize_literal(cx.rates().total));
+    let (state, inputs) = (of_state(cx), &cx.names.inputs);
+    quote!(#state accelerations_: &#mstmm::nalgebra::SVector<T, #count>, inputs_: &#inputs<T>,)
+}
+
+/// Returns the arguments for the state, the inputs and a given vector of one entry per rate.
+pub(super) fn of_vector(cx: &EmitContext) -> TokenStream {
+    let (mstmm, count) = (&cx.mstmm, usize_literal(cx.rates().total));
+    let given = of_state_and_inputs(cx);
+    quote!(#given vector_: &#mstmm::nalgebra::SVector<T, #count>,)
 }
 
 pub(super) fn accelerations(cx: &EmitContext) -> MethodTemplate {
@@ -65,17 +79,38 @@ pub(super) fn implicit_accelerations(cx: &EmitContext) -> MethodTemplate {
 
 /// Returns the methods that return by value the vector that their `_into` forms write.
 pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
-    let accelerations =
-        by_value_of(cx, "accelerations", "Returns the accelerations `v̇` of all hinges");
-    let bias = cx.compiled.find(Answer::BiasEfforts);
-    let bias = bias.map(|_| by_value_of(cx, "bias_efforts", "Returns the bias efforts"));
-    std::iter::once(accelerations).chain(bias).collect()
+    let of = |(answer, what): &(Answer, &str)| {
+        cx.compiled.find(*answer).map(|_| by_value_of(cx, *answer, what))
+    };
+    BY_VALUE.iter().filter_map(of).collect()
 }
 
-fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
+/// The functions with a form that returns by value, and what it does.
+const BY_VALUE: [(Answer, &str); 7] = [
+    (Answer::Accelerations, "Returns the accelerations `v̇` of all hinges"),
+    (Answer::BiasEfforts, "Returns the bias efforts"),
+    (Answer::InverseDynamics, "Returns the efforts that the drives must supply"),
+    (Answer::GravityEfforts, "Returns the efforts that balance gravity"),
+    (Answer::PassiveEfforts, "Returns the efforts of passive elements"),
+    (Answer::MassMatrixTimes, "Returns the product of the mass matrix with a vector"),
+    (
+        Answer::InverseMassMatrixTimes,
+        "Returns the product of the inverse of the mass matrix with a vector",
+    ),
+];
+
+fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
+    let name = answer.name();
     let mstmm = &cx.mstmm;
     let visibility = &cx.passthrough.visibility;
-    let (given, count) = (of_state_and_inputs(cx), usize_literal(cx.rates().total));
+    let count = usize_literal(cx.rates().total);
+    let (given, passed) = match answer {
+        Answer::InverseDynamics => (of_accelerations(cx), quote!(state_, accelerations_, inputs_)),
+        Answer::MassMatrixTimes | Answer::InverseMassMatrixTimes => {
+            (of_vector(cx), quote!(state_, inputs_, vector_))
+        }
+        _ => (of_state_and_inputs(cx), quote!(state_, inputs_)),
+    };
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let doc = format!(" {what}; see [`{name}_into`](Self::{name}_into).");
     let as_lent = format!(" Those of [`{name}_into`](Self::{name}_into).");
@@ -94,7 +129,7 @@ fn by_value_of(cx: &EmitContext, name: &str, what: &str) -> TokenStream {
         ) -> ::core::result::Result<#mstmm::nalgebra::SVector<T, #count>, #mstmm::Error> {
             #checked
             let mut rates_ = #mstmm::generated::vector([T::constant(0.0); #count]);
-            self.#into(state_, inputs_, &mut rates_)?;
+            self.#into(#passed, &mut rates_)?;
             ::core::result::Result::Ok(rates_)
         }
     }
@@ -126,7 +161,7 @@ pub(super) fn solution(cx: &EmitContext) -> MethodTemplate {
 }
 
 /// Returns the destination of a result in the workspace.
-fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
+pub(super) fn in_workspace(cx: &EmitContext, id: OutputId) -> Destination {
     match id {
         outputs::ACCELERATIONS => Destination::Vector(quote!(at_.accelerations)),
         outputs::ALL_ACCELERATIONS => {
@@ -167,46 +202,5 @@ pub(super) fn energy(cx: &EmitContext) -> MethodTemplate {
             #mstmm::Energy { kinetic: kinetic_, potential: potential_ }
         },
         destination: |_, _| new("energies"),
-    }
-}
-
-pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
-    let visibility = &cx.passthrough.visibility;
-    let (given, lent) = (of_state_and_inputs(cx), lent_rates(cx, &quote!(efforts_)));
-    let near_one = quaternions::near_one(cx);
-    let opened = (!cx.layout.loop_hinges.is_empty()).then(|| {
-        quote! {
-            ///
-            /// The closing hinge is open: the bias efforts are those of the open chain. The effort of each rate
-            /// of the closing hinge balances only its own springs, dampers, friction, stops and rotors.
-        }
-    });
-    MethodTemplate {
-        name: quote!(#visibility fn bias_efforts_into),
-        docs: [
-            quote! {
-                #[doc(alias("inverse dynamics", "rnea", "nle", "nonLinearEffects", "qfrc_bias"))]
-                /// Computes the bias efforts: the efforts of all rates at which no rate changes (inverse
-                /// dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
-                ///
-                /// They balance gravity, Coriolis and centrifugal terms, springs, dampers, friction, stops,
-                /// loads, moving ends and prescribed motions. The efforts of motors are not part of them:
-                /// `M v̇ + bias = τ`, with the mass matrix `M`, rotors included, and the efforts `τ` of all
-                /// motors, inputs and constants.
-                #(#[doc = #near_one])*
-                #opened
-            },
-            quote! {
-                ///
-                /// # Errors
-                ///
-                /// `Error::NotFinite` if the state or the inputs are not finite. `efforts` is then unchanged.
-            },
-        ],
-        arguments: quote!(#given #lent),
-        returns: fallible(cx, &quote!(())),
-        opening: TokenStream::new(),
-        end: quote!(::core::result::Result::Ok(())),
-        destination: |_, _| Destination::Vector(quote!((*efforts_))),
     }
 }

@@ -1,6 +1,7 @@
 //! The generated methods, one for each function of the table.
 
 mod dynamics;
+mod inverse_dynamics;
 mod state;
 
 use super::names::helper;
@@ -83,7 +84,13 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::Correction => state::correction(cx),
         Answer::ClosurePivots => state::closure_pivots(cx),
         Answer::Start => state::start(cx),
-        Answer::BiasEfforts => dynamics::bias_efforts(cx),
+        Answer::BiasEfforts => inverse_dynamics::bias_efforts(cx),
+        Answer::InverseDynamics => inverse_dynamics::inverse_dynamics(cx),
+        Answer::GravityEfforts => inverse_dynamics::gravity_efforts(cx),
+        Answer::PassiveEfforts => inverse_dynamics::passive_efforts(cx),
+        Answer::InverseSolution => inverse_dynamics::inverse_solution(cx),
+        Answer::MassMatrixTimes => inverse_dynamics::mass_matrix_times(cx),
+        Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
     }
 }
 

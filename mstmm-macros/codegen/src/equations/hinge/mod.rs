@@ -12,6 +12,7 @@
 mod axis;
 mod ball;
 mod cylindrical;
+mod displacement;
 mod elastic;
 mod floating;
 mod force_laws;
@@ -30,6 +31,7 @@ mod transform;
 mod universal;
 mod weld;
 
+pub use displacement::displaced;
 pub use law::HingeLaw;
 pub use passive_elements::{PassiveElements, passive_elements};
 pub use rows::{dot, identity};

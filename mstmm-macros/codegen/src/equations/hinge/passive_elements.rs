@@ -20,6 +20,8 @@ pub struct PassiveElements<S> {
     /// Efforts, one for each rate of the hinge, minus the rotor efforts that the rates alone
     /// require.
     pub efforts: Vec<S>,
+    /// Efforts of springs, dampers, friction and stops, one for each rate of the hinge.
+    pub element_efforts: Vec<S>,
     /// Inertia along each strain: rotor inertia plus, in an implicit step, the inertia that the
     /// step adds.
     pub inertias: Vec<S>,
@@ -51,11 +53,21 @@ pub fn passive_elements<S: Scalar>(
             *inertia = *inertia + h * (along.damping + step);
         }
     }
+    let of_elements: Vec<S> = efforts.iter().map(|along| along.effort).collect();
     let biases = strain_bias(&hinge.kind, q, v, &rotor_inertias);
     let along = efforts.iter().zip(&rotor_inertias).zip(biases);
     let along: Vec<S> = along.map(|((along, &rotor), bias)| along.effort - rotor * bias).collect();
     let efforts = strain::transpose_times(&strains.jacobian, &along);
-    PassiveElements { strains, strain_rates: rates, efforts, inertias, rotor_inertias, energy }
+    let element_efforts = strain::transpose_times(&strains.jacobian, &of_elements);
+    PassiveElements {
+        strains,
+        strain_rates: rates,
+        efforts,
+        element_efforts,
+        inertias,
+        rotor_inertias,
+        energy,
+    }
 }
 
 /// Returns the effort along each strain, and the energy.

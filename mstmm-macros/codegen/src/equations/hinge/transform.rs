@@ -40,14 +40,18 @@ pub struct ToWorkAxes<S> {
     pub child_to_work: Mat3<S>,
 }
 
-/// Returns the transform across a hinge.
+/// Returns the transform across a hinge at coordinates `q`, or at a displacement from them.
 pub fn hinge_transform<S: Scalar>(
     kind: &HingeKind,
     values: &SymbolValues<S>,
-    q: &[S],
+    (q, displacement): (&[S], Option<&[S]>),
     reversed: bool,
 ) -> HingeTransform<S> {
     let geometry = kind.law().geometry(values, q);
+    let geometry = match displacement {
+        Some(along) => geometry.displaced(along),
+        None => geometry,
+    };
     if reversed { inward(geometry) } else { outward(geometry) }
 }
 

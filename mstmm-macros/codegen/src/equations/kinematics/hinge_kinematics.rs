@@ -107,7 +107,8 @@ pub fn hinge_kinematics<S: Scalar>(
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
     let (_, from_origin, from_rotation) = context.frame_of(from);
     let (q, v) = (context.coordinates(index), context.rates(index));
-    let transform = hinge::hinge_transform(&hinge.kind, values, q, reversed);
+    let displacement = context.displacement(index);
+    let transform = hinge::hinge_transform(&hinge.kind, values, (q, displacement), reversed);
     let alignment = hinge.kind.law().alignment(values);
     let &PartKinematics { part_to_work, point, omega } = parent;
     let from_parent_side = part_to_work * (from_rotation * alignment);
@@ -133,6 +134,8 @@ pub fn hinge_kinematics<S: Scalar>(
     let mut in_hinge =
         hinge_bias + coriolis_acceleration(to_parent.rotate_back(omega), relative_velocity);
     let on_parent = arm.centripetal_by_products(omega);
+    let displaced = displacement.map(|along| hinge::displaced(&hinge.kind, q, along));
+    let q = displaced.as_deref().unwrap_or(q);
     let passives = hinge::passive_elements(hinge, values, q, v, context.implicit);
     let basis = match context.prescribed_accelerations(index) {
         Some(accelerations) => {

@@ -107,7 +107,7 @@ impl<'a> Draft<'a> {
             springs: springs.collect::<Option<_>>()?,
             method: self.settings.method.as_ref().map(|method| method.value),
             results: self.settings.results,
-            answers: self.settings.answers,
+            requests: self.settings.requests,
             assertions: Vec::new(),
         })
     }

@@ -113,7 +113,7 @@ pub(super) fn keywords() -> Vec<&'static str> {
     });
     let methods = setting::METHODS.iter().map(|(word, _)| *word);
     let results = setting::RESULTS.iter().map(|(word, _)| *word);
-    let answers = crate::model::Answer::ALL.into_iter().filter_map(crate::model::Answer::word);
+    let answers = crate::model::ANSWER_WORDS.iter().map(|(word, _)| *word);
     let axes = load::AXES.iter().map(|(word, _)| *word);
     fields
         .into_iter()

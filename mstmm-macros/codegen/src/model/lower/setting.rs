@@ -4,7 +4,7 @@ use super::context::{Context, Spanned};
 use super::dimension::ACCELERATION;
 use super::fields::{FieldOwner, Fields};
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{Answer, Results, SolutionMethod, Source};
+use crate::model::{ANSWER_WORDS, Request, Results, SolutionMethod, Source};
 use crate::syntax::{ChainSyntax, ExprKind, ExprSyntax, ListSyntax, SETTINGS, ValueSyntax};
 use std::fmt::Display;
 
@@ -27,8 +27,8 @@ pub(crate) struct Settings {
     pub method: Option<Spanned<SolutionMethod>>,
     /// The results of the solution: everything unless `results` selects some.
     pub results: Results,
-    /// Further answers.
-    pub answers: Vec<Answer>,
+    /// What the chain answers beside the functions that every chain has, each once.
+    pub requests: Vec<Request>,
 }
 
 /// All settings.
@@ -58,7 +58,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
         gravity,
         method,
         results: results.map_or(Results::ALL, |setting| setting.value),
-        answers: answers.map_or_else(Vec::new, |setting| setting.value),
+        requests: answers.map_or_else(Vec::new, |setting| setting.value),
     }
 }
 
@@ -81,10 +81,13 @@ fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
     Some(results)
 }
 
-fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Answer>> {
-    let keywords: Vec<(&str, Answer)> =
-        Answer::ALL.into_iter().filter_map(|answer| Some((answer.word()?, answer))).collect();
-    chosen(context, syntax, &Choices { keywords: &keywords, example: "[bias_efforts]" })
+/// Reads the requests. A request that two words stand for counts once.
+fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Request>> {
+    let choices = Choices { keywords: ANSWER_WORDS, example: "[basic, linearize]" };
+    let mut requests = chosen(context, syntax, &choices)?.concat();
+    requests.sort_unstable();
+    requests.dedup();
+    Some(requests)
 }
 
 /// Keywords that may be chosen.

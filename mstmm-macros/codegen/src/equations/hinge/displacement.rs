@@ -1,0 +1,56 @@
+//! Small displacements of a hinge along its rates, to first order.
+//!
+//! A displacement `δ` has one entry for each rate: the hinge moves as at the rates `δ` in a unit of time.
+//! With the motion subspace `S`, the outboard frame rotates by `S_ω δ` and its origin moves by `S_v δ`.
+//! This holds for every kind of hinge. It also holds for quaternions whose length is not exactly one,
+//! since the displaced rotation is that of the quaternion, followed by the small rotation.
+
+use super::HingeGeometry;
+use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
+use crate::model::HingeKind;
+
+/// Returns the coordinates after a displacement from `q` along the rates: `q + N(q) δ`.
+pub fn displaced<S: Scalar>(kind: &HingeKind, q: &[S], displacement: &[S]) -> Vec<S> {
+    let changes = kind.law().coordinate_rates(q, displacement);
+    q.iter().zip(changes).map(|(&q, change)| q + change).collect()
+}
+
+impl<S: Scalar> HingeGeometry<S> {
+    /// Returns the geometry after a displacement along the rates.
+    pub fn displaced(self, displacement: &[S]) -> Self {
+        let along = |on_outboard: bool| {
+            let columns = self.columns.iter().zip(displacement);
+            let chosen = columns.filter(|(column, _)| column.on_outboard == on_outboard);
+            chosen.fold(Motion::zero(), |sum, (column, &amount)| sum + column.motion.scaled(amount))
+        };
+        let (inboard, outboard) = (along(false), along(true));
+        let back = self.rotation.transposed();
+        let turned = back * inboard.angular + outboard.angular;
+        let axis_rotation = self.axis_rotation.map(|rotation| rotation.advanced(turned));
+        let rotation = match &axis_rotation {
+            Some(rotation) => rotation.matrix(),
+            None => rotated(self.rotation, turned),
+        };
+        HingeGeometry {
+            rotation,
+            axis_rotation,
+            offset: self.offset + inboard.linear + self.rotation * outboard.linear,
+            ..self
+        }
+    }
+}
+
+/// Returns `R (1 + ω̃)`: the rotation followed by a small one, which is given in its outboard axes.
+fn rotated<S: Scalar>(rotation: Mat3<S>, small: Vec3<S>) -> Mat3<S> {
+    let rows = rotation.0.map(|row| (Vec3(row) + Vec3(row).cross(small)).0);
+    Mat3(rows)
+}
+
+impl<S: Scalar> AxisRotation<S> {
+    /// Returns the rotation after a small one about the same axis, the only one along which `small` has
+    /// an entry.
+    fn advanced(self, small: Vec3<S>) -> Self {
+        let angle = small[self.axis];
+        AxisRotation { sin: self.sin + self.cos * angle, cos: self.cos - self.sin * angle, ..self }
+    }
+}
