@@ -14,6 +14,8 @@
 //!   [`Chain::solve`] does so if efforts are the only inputs.
 //! * [`Chain::inverse_dynamics`], [`Chain::bias_efforts`] and [`Chain::mass_matrix`] compute the
 //!   efforts for given accelerations.
+//! * [`Chain::answers`] computes all of these, Jacobians, momenta, regressors and derivatives by their
+//!   definitions, in twice the working precision.
 //! * [`Chain::close`] finds states in which a closed chain fulfils its loop constraint.
 //! * [`simulate()`] integrates the motions of the bodies instead of the hinge coordinates.
 //! * [`random_chain()`], [`random_mechanism`], [`random_tree()`], [`random_described_tree`],
@@ -22,10 +24,12 @@
 //!
 //! All quantities are in SI units and angles in radians, except where a name says `degrees`.
 
+mod answers;
 mod assembly;
 mod chain;
 mod closure;
 mod described;
+#[path = "../../support/double_double.rs"]
 mod double_double;
 mod drives;
 mod equations;
@@ -57,6 +61,7 @@ mod text;
 mod text_hinge;
 mod written_out;
 
+pub use answers::{Answers, Change, Momentum};
 pub use chain::{About, Body, Chain, Dimension, Element, End, Frame, Gravity, State};
 pub use drives::{Drives, FrameMotion, HingeMotion, LoadInput};
 pub use hinge::{Axis, Group, Hinge, HingeKind, Limits, Source};

@@ -97,19 +97,19 @@ impl Saddle {
     /// the matrix, so that elimination without scaling loses none.
     fn refined(&self, right: &DVector<f64>) -> DVector<f64> {
         let rounded = |all: &[DoubleDouble]| {
-            DVector::from_iterator(all.len(), all.iter().map(|number| number.rounded()))
+            DVector::from_iterator(all.len(), all.iter().map(|number| number.high))
         };
         let mut solution = vec![DoubleDouble::default(); right.len()];
         for _ in 0..REFINEMENTS {
             let mut residual: Vec<_> = right.iter().map(|it| DoubleDouble::new(*it)).collect();
             for (column, number) in self.columns.iter().zip(&solution) {
                 for (row, entry) in column {
-                    residual[*row] = residual[*row].minus_product(*entry, *number);
+                    residual[*row] -= DoubleDouble::new(*entry) * *number;
                 }
             }
             let change = self.back_substitute(&rounded(&residual));
             for (number, change) in solution.iter_mut().zip(change.iter()) {
-                *number = number.plus(*change);
+                *number += DoubleDouble::new(*change);
             }
             if change.norm() <= REFINED * rounded(&solution).norm() {
                 break;

@@ -1,6 +1,7 @@
 //! Tests of the reference solver against closed forms, balances, conserved quantities and recorded
 //! motions.
 
+mod answers;
 mod balances;
 mod closed_forms;
 mod compounds;
