@@ -1,6 +1,14 @@
 #![doc = include_str!("tutorial/tutorial.md")]
 
 pub mod further {
+    #![doc(alias(
+        "autodiff",
+        "AutoDiffXd",
+        "dual number",
+        "derivative",
+        "linearization",
+        "sensitivity"
+    ))]
     #![doc = include_str!("tutorial/further.md")]
 }
 

@@ -3,12 +3,13 @@
 
 mod support;
 
+use mstmm::Dual;
 use mstmm::prelude::*;
 use mstmm_reference::Random;
 use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
-use support::dual::{Dual, energy_rate};
 use support::matter::{Lump, momenta};
 use support::mechanism::random_quaternion;
+use support::moving::energy_rate;
 use support::{difference, worst};
 
 mstmm_chain! {
@@ -87,10 +88,10 @@ fn a_free_pair_keeps_its_momenta_and_its_energy() {
 /// dE/dt = −Σ c ṡ², exactly, by dual numbers; so the energy only falls.
 #[test]
 fn dampers_dissipate_the_expected_energy() {
-    let (mut chain, mut dual) = (Pair::<f64>::new(), Pair::<Dual>::new());
+    let (mut chain, mut dual) = (Pair::<f64>::new(), Pair::<Dual<f64>>::new());
     for (drag, tolerance) in [(0.0, 1e-12), (1.0, 1e-12), (5.0, 1e-12)] {
         chain.set_drag(drag).unwrap();
-        dual.set_drag(Dual::new(drag, 0.0)).unwrap();
+        dual.set_drag(Dual::from(drag)).unwrap();
         let mut largest = 0.0;
         for seed in 0..50 {
             let state = random_pair(&mut Random::new(seed));

@@ -4,13 +4,13 @@
 
 mod support;
 
-use mstmm::{ChainState, Dopri5, Error};
+use mstmm::{ChainState, Dopri5, Dual, Error};
 use mstmm_reference::Random;
 use nalgebra::{UnitQuaternion, Vector3};
 use support::difference;
-use support::dual::{self, Dual};
 use support::matter::{Lump, ends, momenta, momentum_rate};
 use support::mechanism::{Answer, Mechanism, both};
+use support::moving;
 
 /// Random states tried for each chain.
 const STATES: u64 = 50;
@@ -115,7 +115,7 @@ macro_rules! driven {
             }
 
             fn energy_rate(&self, state: &Self::State, inputs: &Self::Inputs) -> f64 {
-                dual::energy_rate(self, &$name::<Dual>::new(), state, inputs)
+                moving::energy_rate(self, &$name::<Dual<f64>>::new(), state, inputs)
             }
         }
     )* };

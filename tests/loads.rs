@@ -2,12 +2,12 @@
 
 mod support;
 
-use mstmm::Point;
 use mstmm::prelude::*;
+use mstmm::{Dual, Point};
 use mstmm_reference::Random;
 use nalgebra::{Matrix3, UnitQuaternion, Vector2, Vector3};
-use support::dual::{Dual, energy_rate};
 use support::mechanism::random_quaternion;
+use support::moving::energy_rate;
 use support::{difference, worst};
 
 const STATES: u64 = 50;
@@ -198,7 +198,7 @@ fn springs_pull_along_themselves() {
         along.drop_mut().set_position(1.0 + from.x).set_velocity(velocity.x);
         let stored = 9.0 * (from.norm() - 0.7).powi(2);
         let taken = 0.8 * velocity.dot(&from.normalize()).powi(2);
-        let power = energy_rate(&long, &Long::<Dual>::new(), &same, &long.no_inputs());
+        let power = energy_rate(&long, &Long::<Dual<f64>>::new(), &same, &long.no_inputs());
         let accelerations = mass.accelerations(&state, &mass.no_inputs()).expect("regular");
         let of_long = long.accelerations(&same, &long.no_inputs()).expect("regular");
         let of_flat = plane.accelerations(&flat, &plane.no_inputs()).expect("regular");

@@ -7,10 +7,10 @@ mod support;
 mod chains;
 
 use chains::*;
-use mstmm::{ChainState, GeneratedChain, Rk4, Scalar};
+use mstmm::{ChainState, Dual, GeneratedChain, Rk4, Scalar};
 use mstmm_reference::Random;
 use nalgebra::{Vector2, Vector3};
-use support::dual::{Dual, moving};
+use support::moving::moving;
 use support::states::{copied, random_state};
 use support::{difference, worst};
 
@@ -51,7 +51,7 @@ fn solved<C: Read>(chain: &C, state: &C::State) -> C::Workspace {
 /// Velocities are the rates of positions and accelerations those of velocities, exactly.
 #[test]
 fn motions_are_derivatives() {
-    fn check<C: Read<Scalar = f64>, D: Read<Scalar = Dual>>() -> f64 {
+    fn check<C: Read<Scalar = f64>, D: Read<Scalar = Dual<f64>>>() -> f64 {
         let (chain, same) = (C::prepared(), D::prepared());
         let mut largest = 0.0;
         for seed in 0..STATES {
@@ -61,7 +61,9 @@ fn motions_are_derivatives() {
             let moving = D::read(&solved(&same, &on_the_way));
             assert_eq!(points.len(), moving.len());
             for (number, (point, rate)) in points.iter().zip(&moving).enumerate() {
-                let rates = |values: &[Dual]| values.iter().map(|x| x.rate).collect::<Vec<_>>();
+                let rates = |values: &[Dual<f64>]| {
+                    values.iter().map(|x| x.derivative()).collect::<Vec<_>>()
+                };
                 let off = worst(
                     difference(&point.velocity, &rates(&rate.position)),
                     difference(&point.acceleration, &rates(&rate.velocity)),
@@ -74,7 +76,7 @@ fn motions_are_derivatives() {
     }
     macro_rules! check {
         ($($chain:ident)*) => { $(
-            println!("{}: {:.1e}", stringify!($chain), check::<$chain<f64>, $chain<Dual>>());
+            println!("{}: {:.1e}", stringify!($chain), check::<$chain<f64>, $chain<Dual<f64>>>());
         )* };
     }
     for_each_open_pair!(check);

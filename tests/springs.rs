@@ -5,10 +5,10 @@ mod support;
 
 use mstmm::nalgebra::{Vector2, Vector3};
 use mstmm::prelude::*;
-use mstmm::{Scalar, SpringResult};
+use mstmm::{Dual, Scalar, SpringResult};
 use mstmm_reference::Random;
-use support::dual::{Dual, energy_rate};
 use support::mechanism::random_quaternion;
+use support::moving::energy_rate;
 use support::worst;
 
 /// dE/dt is a difference of terms of up to some thousand W, each of a hundred roundings.
@@ -29,8 +29,8 @@ macro_rules! springs {
 
         #[test]
         fn $test() {
-            let (kept, same) = ($elastic::<f64>::new(), $elastic::<Dual>::new());
-            let (lost, alike) = ($lossy::<f64>::new(), $lossy::<Dual>::new());
+            let (kept, same) = ($elastic::<f64>::new(), $elastic::<Dual<f64>>::new());
+            let (lost, alike) = ($lossy::<f64>::new(), $lossy::<Dual<f64>>::new());
             let mut largest = 0.0;
             for seed in 0..50 {
                 let mut random = Random::new(seed);
@@ -324,8 +324,8 @@ fn springs_between_repetitions_balance_a_ladder() {
     let mut ladder = Ladder::<f64>::new();
     let taut = [800.0, 700.0, 600.0];
     ladder.set_taut(|index| taut[index]).expect("positive stiffness");
-    let mut same = Ladder::<Dual>::new();
-    same.set_taut(|index| Dual::new(taut[index], 0.0)).expect("positive stiffness");
+    let mut same = Ladder::<Dual<f64>>::new();
+    same.set_taut(|index| Dual::from(taut[index])).expect("positive stiffness");
     let mut state = ladder.initial_state();
     let mut at = ladder.workspace();
     let mut random = Random::new(1);

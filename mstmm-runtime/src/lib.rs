@@ -105,6 +105,7 @@ extern crate std;
 
 mod body;
 mod chain;
+mod dual;
 mod energy;
 mod error;
 #[doc(hidden)]
@@ -124,6 +125,7 @@ mod trig;
 
 pub use body::{BodyResult, HasCom, HasOutput, OptionalPoints};
 pub use chain::{Chain, ChainState, GeneratedChain};
+pub use dual::Dual;
 pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{

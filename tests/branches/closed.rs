@@ -1,10 +1,12 @@
 //! A first route that closes, on the ground or at a moving end, with branches on its bodies.
 
 use crate::support::difference;
-use crate::support::dual::{Dual, energy_rate};
 use crate::support::matter::Lump;
+use crate::support::moving::energy_rate;
 use mstmm::nalgebra::Vector3;
-use mstmm::{Chain, ChainState, FloatingState, GeneratedChain, HingeMotion, Rk4, mstmm_chain};
+use mstmm::{
+    Chain, ChainState, Dual, FloatingState, GeneratedChain, HingeMotion, Rk4, mstmm_chain,
+};
 use mstmm_reference::Random;
 
 /// The condition of these linkages is some ten to a hundred, with a hundred roundings on the way to a
@@ -196,7 +198,7 @@ fn reactions_of_a_closed_route_balance_its_branches() {
 /// Springs and gravity keep the energy: exactly in each state, and over a motion with projections.
 #[test]
 fn a_closed_route_with_branches_keeps_its_energy() {
-    let (chain, same) = (Hung::<f64>::new(), Hung::<Dual>::new());
+    let (chain, same) = (Hung::<f64>::new(), Hung::<Dual<f64>>::new());
     for seed in 0..20 {
         let state = assembled(&chain, seed);
         let rate = energy_rate(&chain, &same, &state, &chain.no_inputs());

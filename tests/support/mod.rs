@@ -1,10 +1,10 @@
 //! Comparing what generated code computes with what the independent solver says.
 #![allow(dead_code)]
 
-pub mod dual;
 pub mod matter;
 pub mod mechanism;
 pub mod motion;
+pub mod moving;
 pub mod printed;
 pub mod states;
 
