@@ -1,7 +1,7 @@
 //! Repeated parts with branches are the same as their contents written out.
 //!
 //! The order of hinges is that of the text, and a repeated part is in order repetition by repetition.
-//! What is written out therefore begins a route for each repetition and for each branch.
+//! The written-out text therefore begins a route for each repetition and for each branch.
 
 use super::twins::twins;
 

@@ -30,9 +30,9 @@ impl Described {
 #[derive(Clone)]
 struct Context<'a> {
     scope: &'a Scope,
-    /// What precedes the names of the scope.
+    /// The prefix of all names of the scope.
     prefix: String,
-    /// What follows the names of the scope, which are in a repeated part.
+    /// The suffix of all names of the scope: the number of the repetition.
     suffix: String,
     values: Values,
     /// The repeated part of the scope, with the number of the repetition.

@@ -74,7 +74,7 @@ pub fn of_points(cx: &EmitContext) -> Vec<String> {
         lines.extend([
             " Returns all connection points in the order of the text: of each element its input, if no earlier element".into(),
             " has this point, and its output; after the output of a body those of its named points that hinges leave.".into(),
-            " A hinge that leaves a place with other hinges, or the input of a body, has an input of its own.".into(),
+            " A hinge that leaves a place with other hinges, or the input of a body, has a separate input.".into(),
         ]);
     }
     if !cx.chain.repeats.is_empty() {

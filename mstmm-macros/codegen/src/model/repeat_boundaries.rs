@@ -36,8 +36,8 @@ impl Boundaries<'_> {
             let first = self.chain.hinges[*hinge].inboard.clone();
             self.channel(Some(*hinge), &first, previous);
         }
-        // What is left outside leaves other places of the last repetition. Nothing of the part begins with
-        // these channels.
+        // Elements outside of the part may leave other places of the last repetition. No hinge of the part
+        // reads the channels of these places.
         while let Some(place) = self.place_left_outside() {
             self.channel(None, &before, &place);
         }

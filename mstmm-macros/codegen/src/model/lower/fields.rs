@@ -26,7 +26,7 @@ pub(super) struct FieldOwner<'o, 'a> {
 }
 
 impl<'o> FieldOwner<'o, '_> {
-    /// Returns an owner with a block of its own.
+    /// Returns an owner whose block names no other item.
     pub fn of_block(name: &'o str) -> Self {
         FieldOwner { name, path: None, part: None }
     }

@@ -189,7 +189,7 @@ pub(in crate::model) fn write_out<'a>(
     let parts: Vec<&PartSyntax> = written.scopes.iter().filter_map(|scope| scope.part).collect();
     let parts_are_complete = parts.iter().all(|part| part.content.complete);
     written.complete &= def.content.complete && parts_are_complete;
-    // What is not readable in a part may be a route.
+    // An unreadable item of a part may be a route.
     written.routes_are_complete &= parts_are_complete;
     let contents = parts.iter().map(|part| &part.content).chain([&def.content]);
     let mut routes = contents.flat_map(|content| &content.routes);

@@ -23,7 +23,7 @@ const DEEPEST: usize = 32;
 
 /// Writes out a chain.
 pub(super) struct RouteWriter<'a, 'd> {
-    /// What is written out so far.
+    /// The items written out so far.
     pub written: WrittenOut<'a>,
     def: &'a ChainSyntax,
     parts: HashMap<String, &'a PartSyntax>,
