@@ -41,7 +41,7 @@ pub fn move_to_children<S: Scalar>(
     context: &EvalContext<S>,
     links: &mut PerLink<LinkKinematics<S>>,
 ) -> Vec<FreeBase<S>> {
-    let roots = context.layout.links.ids().into_iter();
+    let roots = context.tree.roots().into_iter();
     let roots: Vec<LinkId> = roots.filter(|&link| may_move(context, link, &links[link])).collect();
     roots.into_iter().map(|root| move_to_child(context, root, links)).collect()
 }
@@ -51,12 +51,7 @@ fn may_move<S: Scalar>(context: &EvalContext<S>, index: LinkId, link: &LinkKinem
     let is_at_boundary = |&link: &LinkId| context.layout.is_at_repeat_boundary(link);
     link.is_free(context.chain.dimension)
         && !context.layout.links[index].reversed
-        && !children_of(context, index).iter().chain([&index]).any(is_at_boundary)
-}
-
-fn children_of<S: Scalar>(context: &EvalContext<S>, parent: LinkId) -> Vec<LinkId> {
-    let links = context.layout.links.enumerate();
-    links.filter(|(_, link)| link.parent == Some(parent)).map(|(index, _)| index).collect()
+        && !context.tree.children_of(index).iter().chain([&index]).any(is_at_boundary)
 }
 
 fn move_to_child<S: Scalar>(
@@ -64,10 +59,10 @@ fn move_to_child<S: Scalar>(
     index: LinkId,
     links: &mut PerLink<LinkKinematics<S>>,
 ) -> FreeBase<S> {
-    let children = children_of(context, index);
+    let children = context.tree.children_of(index);
     let is_chosen = |&child: &LinkId| {
         let LinkKinematics { hinge, first_moment, .. } = &links[child];
-        let is_last = children_of(context, child).is_empty();
+        let is_last = context.tree.children_of(child).is_empty();
         hinge.is_concentric()
             && strategy::saves_translation(&hinge.subspace, *first_moment, is_last)
     };
