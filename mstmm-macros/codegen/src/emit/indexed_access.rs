@@ -280,25 +280,22 @@ pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize)
 fn ends(cx: &EmitContext, element: usize, count: usize) -> TokenStream {
     let ElementPoints { input, previous, output } = cx.ends(element);
     let [input, output] = [input, output].map(|point| cx.point_index(point));
-    let first = match previous.map(|point| cx.point_index(point)) {
-        None => affine(input.first, input.stride),
-        Some(previous) if input.last + previous.stride == previous.first => {
-            affine(input.last, previous.stride)
-        }
-        Some(previous) => {
-            let [first, later, stride] =
-                [input.last, previous.first, previous.stride].map(usize_literal);
-            quote!(if index_ == 0 { #first } else { #later + (index_ - 1) * #stride })
-        }
+    // The index of the input in the first repetition and in the second, and the difference of later ones.
+    let (first, second, stride) = match previous.map(|point| cx.point_index(point)) {
+        None => (input.first, input.first + input.stride, input.stride),
+        Some(previous) => (input.last, previous.first, previous.stride),
     };
-    let follows = previous.map_or(input.first, |_| input.last) + 1 == output.first;
-    let uniform = previous.is_none_or(|point| {
-        let previous = cx.point_index(point);
-        input.last + previous.stride == previous.first
-    });
-    let out = match follows && uniform {
+    let is_affine = first + stride == second;
+    let out = match is_affine && first + 1 == output.first {
         true => quote!(first_ + 1),
         false => affine(output.first, output.stride),
+    };
+    let first = match is_affine {
+        true => affine(first, stride),
+        false => {
+            let [first, second, stride] = [first, second, stride].map(usize_literal);
+            quote!(if index_ == 0 { #first } else { #second + (index_ - 1) * #stride })
+        }
     };
     let count = usize_literal(count);
     quote! {
