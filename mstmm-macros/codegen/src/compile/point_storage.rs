@@ -1,6 +1,6 @@
 //! Assigns the vectors of connection points to entries of the workspace. Points that share a vector share its entries.
 
-use crate::equations::{FramedVector, PointState, SymbolValues};
+use crate::equations::{FramedVector, PointState, Report, SymbolValues};
 use crate::expr::{Edge, Expr, Graph};
 use crate::ids::{BodyId, IdVec, PointId, RepeatId};
 use crate::model::{Body, Chain, ConnectionPoints, Dimension, Element, Results};
@@ -59,15 +59,13 @@ pub struct PointStorage {
 pub(super) fn allocate<'g>(
     chain: &Chain,
     graph: &'g Graph,
-    points: &[PointState<Expr<'g>>],
+    report: &Report<Expr<'g>>,
     numbers: &SymbolValues<Expr<'g>>,
 ) -> (PointStorage, Vec<Expr<'g>>) {
     let mut allocator =
         PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
-    let mut storage = PointStorage { of: chain.connection_points(), ..PointStorage::default() };
-    if storage.of.points.len() != points.len() {
-        bug!("{} connection points have {} states", storage.of.points.len(), points.len())
-    }
+    let mut storage =
+        PointStorage { of: report.connection_points.clone(), ..PointStorage::default() };
     let ends = chain.elements.iter().zip(&storage.of.elements);
     let inputs: HashMap<PointId, BodyId> = ends
         .filter_map(|(&element, ends)| match element {
@@ -75,7 +73,7 @@ pub(super) fn allocate<'g>(
             Element::Hinge(_) => None,
         })
         .collect();
-    for ((index, at), point) in storage.of.points.enumerate().zip(points) {
+    for ((index, at), point) in storage.of.points.enumerate().zip(&report.points) {
         match storage.segments.last() {
             Some((_, last)) if *last == at.repeat => {}
             _ => {

@@ -42,7 +42,7 @@ impl<'a> ChainCompiler<'a> {
         });
         let pivots = self.pivots(&solved.pivots);
         let (storage, numbers) =
-            point_storage::allocate(self.chain, self.graph, &report.points, &self.numbers);
+            point_storage::allocate(self.chain, self.graph, &report, &self.numbers);
         let all_rates = || layouts::all_rates(self.chain, self.layout);
         let by_entry = |output: Output| Output { by_entry: true, ..output };
         let mut outputs = vec![self.rates(outputs::ACCELERATIONS, &solved.accelerations)];

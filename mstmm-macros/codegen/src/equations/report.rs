@@ -11,15 +11,17 @@ use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::point_reader::{HingeWrench, PointReader, PointState};
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, ForwardDynamics, OutboardState, SweepResult, Trace, kinematics};
-use crate::ids::IdVec;
+use crate::ids::{IdVec, PointId};
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{HingeId, LinkId};
+use crate::model::{ConnectionPoints, HingeId, LinkId};
 
 /// The results other than the accelerations of the free rates.
 #[derive(Clone, Debug)]
 pub struct Report<S> {
-    /// All connection points, in the order of [`crate::model::ConnectionPoints`].
-    pub points: Vec<PointState<S>>,
+    /// The connection points of the chain.
+    pub connection_points: ConnectionPoints,
+    /// The states of all connection points.
+    pub points: IdVec<PointId, PointState<S>>,
     /// The proper acceleration of a point at rest, inertial frame: to be subtracted from that of
     /// other points.
     pub base_acceleration: Vec3<S>,
@@ -65,8 +67,9 @@ pub fn report<S: Scalar>(
         proper_acceleration: &proper_acceleration,
         hinges: &hinges,
     };
-    let points: Vec<PointState<S>> =
-        context.chain.connection_points().points.iter().map(|at| reader.point(at)).collect();
+    let connection_points = context.chain.connection_points();
+    let points: IdVec<PointId, PointState<S>> =
+        connection_points.points.iter().map(|at| reader.point(at)).collect();
     trace.section("points", "Connection points", "[P, Eqs. (4), (12), (13)]");
     for (number, point) in points.iter().enumerate() {
         trace.vector(&format!("point{number}_velocity"), point.velocity.vector);
@@ -75,6 +78,7 @@ pub fn report<S: Scalar>(
         trace.matrix(&format!("point{number}_rotation"), point.rotation);
     }
     Report {
+        connection_points,
         points,
         base_acceleration: context.base_acceleration().linear,
         efforts: hinge_efforts(context, &hinges, &accelerations),

@@ -250,9 +250,8 @@ impl DryRun {
         let (solved, swept) = self.swept(&self.values, &pose);
         let report = equations::report(&context, (&solved, &swept), &mut Trace::silent());
         let position = |place: Vec3<Number>| place.0.map(Number::value);
-        let of = self.chain.connection_points();
         let centre = |(element, ends): (&Element, &ElementPoints)| {
-            let point = &report.points[ends.input.index()];
+            let point = &report.points[ends.input];
             match *element {
                 Element::Hinge(_) => position(point.position),
                 Element::Body(body) => {
@@ -263,8 +262,14 @@ impl DryRun {
         };
         Drawing {
             points: report.points.iter().map(|point| position(point.position)).collect(),
-            centres: self.chain.elements.iter().zip(&of.elements).map(centre).collect(),
-            of,
+            centres: self
+                .chain
+                .elements
+                .iter()
+                .zip(&report.connection_points.elements)
+                .map(centre)
+                .collect(),
+            of: report.connection_points,
             up: self.vertical(),
             gravity: self.gravity(),
             chain: self.chain.clone(),
