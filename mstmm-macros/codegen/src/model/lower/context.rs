@@ -17,6 +17,8 @@ pub(super) struct Context<'a> {
     pub parameters: Vec<KnownParameter<'a>>,
     /// The parameters that may not be used yet.
     pub later_parameters: Vec<&'a Ident>,
+    /// The parameters of all parts.
+    pub part_parameters: Vec<&'a Ident>,
     /// The Rust paths seen so far, in the order of [`Symbol::Constant`].
     pub constants: Vec<TokenStream>,
     /// The diagnostics of all phases.
@@ -72,6 +74,7 @@ impl<'a> Context<'a> {
             space,
             parameters: Vec::new(),
             later_parameters: Vec::new(),
+            part_parameters: Vec::new(),
             constants: Vec::new(),
             diagnostics,
             complete,

@@ -62,6 +62,7 @@ pub(super) fn draft<'a>(
         DimensionKeyword::Line => Dimension::Line,
     };
     let mut context = Context::new(space, written.complete, diagnostics);
+    context.part_parameters = def.parts.iter().flat_map(|part| &part.parameters).collect();
     let parameters = parameter::parameters(def, &mut context);
     let settings = setting::settings(def, &mut context);
     let types = body::types(written, &mut context);
@@ -73,6 +74,7 @@ pub(super) fn draft<'a>(
     let properties = properties::properties(resolved, &mut context);
     let (loads, springs) = load::loads(resolved, &seeds, &mut context);
     start::warn_of_unused(resolved, &seeds, &mut context);
+    parts::warn_of_unused(def, &mut context);
     let references = references::references(resolved);
     let requirements = std::mem::take(&mut context.requirements);
     let passthrough = Passthrough {

@@ -33,7 +33,11 @@ impl Context<'_> {
         };
         let symbol = &unknown.symbol;
         let is_name = self.parameters.iter().any(|other| other.name == symbol)
-            || self.later_parameters.iter().any(|name| *name == symbol)
+            || self
+                .later_parameters
+                .iter()
+                .chain(&self.part_parameters)
+                .any(|name| *name == symbol)
             || symbol == "PI";
         let hint = unit::hint(symbol);
         let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);

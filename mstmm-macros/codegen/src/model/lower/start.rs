@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::place::{BodyPlace, PlacePoint, Resolved, body_extent};
-use crate::syntax::{PathSyntax, SeedSyntax};
+use crate::syntax::{PathSyntax, SeedSyntax, SpanRange};
 use std::cell::Cell;
 
 /// Where a route begins.
@@ -63,6 +63,13 @@ fn seed_of(
     resolved: Resolved,
     context: &mut Context,
 ) -> Option<PreviousPlace> {
+    for path in [&seed.place, &seed.first] {
+        if let Some(last) = path.last {
+            let plain = PathSyntax { last: None, ..path.clone() };
+            let message = format!("`from` names places without `last`: write `{plain}`");
+            return context.refuse(SpanRange::token(last), message);
+        }
+    }
     let written = &resolved.written.repeats[repeat];
     let previous = resolved.place(&seed.place, written.scope, context);
     let first = resolved.place(&seed.first, written.scope, context);

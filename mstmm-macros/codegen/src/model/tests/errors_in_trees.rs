@@ -236,6 +236,9 @@ fn the_previous_repetition_has_a_first_value() {
         "",
         &[("link", "the first value is a place …")],
     );
+    let last = "`from` names places without `last`: …";
+    expect_repeat("from last.link.tip = beam.tip", branch, "", &[("last", last)]);
+    expect_repeat("from link.tip = last.beam.tip", branch, "", &[("last", last)]);
     expect_repeat(
         "from link.tip = beam.tip, link.tip = beam.output",
         branch,

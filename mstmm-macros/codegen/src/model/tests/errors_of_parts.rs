@@ -376,3 +376,16 @@ fn an_instance_is_no_body() {
         &[("r", "write the start of a floating body outside of parts: `body rex.r { … }`")],
     );
 }
+
+#[test]
+fn a_parameter_is_multiplied_before_a_unit() {
+    let part = |damping: &str| {
+        format!("part Leg(size) {{ pin haa -> Rod hip; hinge haa {{ damping = {damping}; }} }}")
+    };
+    let unit = "N*m*s/rad";
+    let leg = "base.tip -> Leg(2) leg;";
+    expect_parts(&part(&format!("(0.2 {unit}) * size")), leg, &[]);
+    expect_parts(&part(&format!("0.2 * size {unit}")), leg, &[]);
+    let message = "a unit ends a product: write `(2 m) * size`, …";
+    expect_parts(&part(&format!("0.2 {unit} * size")), leg, &[("size", message)]);
+}

@@ -167,3 +167,32 @@ fn the_first_value_of_a_repeat_is_used() {
         "`link.output` is not used: no route and no spring of this `repeat` has `last.link.output`";
     assert_eq!(warnings, [("link".to_owned(), message.to_owned())]);
 }
+
+#[test]
+fn the_parameters_of_a_part_are_used() {
+    let part = |parameters: &str, content: &str| {
+        format!(
+            "chain A {{ {ROD} part Leg({parameters}) {{ {content} }} ground -> pin root -> Rod base \
+             -> Leg(1, 2) leg; }}"
+        )
+    };
+    let leg = "pin knee -> Rod shank;";
+    let with = |block: &str| format!("{leg} {block}");
+    expect_chain(&part("side, k", &with("hinge knee { start = side; damping = 2*k; }")), &[]);
+    expect_chain(&part("side, _k", &with("hinge knee { start = side; }")), &[]);
+    expect_chain(&part("x, y", "pin([x, 1, y]) knee -> Rod shank;"), &[]);
+    expect_chain(
+        &part("x, y", &with("spring s { on = shank.com; to = [x, y, 0]; stiffness = 1; }")),
+        &[],
+    );
+    let inner = "body B { mass = m; com = [1, 0, 0]; inertia = diag(1, 1, n) about com; } \
+                 pin knee -> B shank;";
+    expect_chain(&part("m, n", inner), &[]);
+    let passed = "part Foot(a) { pin ankle -> Rod foot; hinge ankle { damping = a; } } \
+                  part Leg(a, b) { pin knee -> Rod shank -> Foot(a) foot; }";
+    let source = format!("chain A {{ {ROD} {passed} ground -> Leg(1, 2) leg; }}");
+    expect_chain(&source, &["b"]);
+    let warnings = warnings_in(&part("side, k", &with("hinge knee { damping = k; }")));
+    let message = "part `Leg` does not use its parameter `side`: remove it, or write `_side`";
+    assert_eq!(warnings, [("side".to_owned(), message.to_owned())]);
+}

@@ -35,7 +35,8 @@ pub(super) fn substitution(
     let numbers: HashMap<_, _> = part.parameters.iter().enumerate().map(argument).collect();
     let written: Vec<String> = given.iter().map(text).collect();
     let description = format!("{word}({}) {name}", written.join(", "));
-    Some(Substitution { arguments: numbers, instance: diagnostics.add_instance(description) })
+    let instance = Some(diagnostics.add_instance(description));
+    Some(Substitution { arguments: numbers, instance })
 }
 
 /// Returns the message for a wrong number of arguments.

@@ -2,11 +2,15 @@
 
 use proc_macro2::Ident;
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
+use super::substitute::Substitution;
 use crate::diag::Diagnostics;
+use crate::model::lower::context::Context;
 use crate::model::lower::hinge::KINDS;
 use crate::syntax::{
-    ChainSyntax, ContentSyntax, PartSyntax, RouteItemSyntax, RouteSyntax, StepSyntax,
+    ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, PartSyntax, RouteItemSyntax, RouteSyntax,
+    SpanRange, StepSyntax,
 };
 
 /// Returns the parts by name, without those that cannot be set, and reports errors in them.
@@ -96,6 +100,38 @@ pub(super) fn unused<'a>(
         parts.contains_key(&name) && !used.contains(&name)
     };
     def.parts.iter().filter(is_unused).map(|part| &part.name).collect()
+}
+
+/// The rule that a parameter of a part is used.
+const UNUSED: &str = "UNUSED_PARAMETER";
+
+/// Warns of parameters that a part does not use, if everything else is readable. A name that begins
+/// with `_` may be unused, as in Rust.
+pub(in crate::model::lower) fn warn_of_unused(def: &ChainSyntax, context: &mut Context) {
+    if !context.diagnostics.is_empty() || !context.complete {
+        return;
+    }
+    for part in &def.parts {
+        let unused = part.parameters.iter().filter(|parameter| !uses(part, parameter));
+        for parameter in unused.filter(|parameter| !parameter.to_string().starts_with('_')) {
+            let message = format!(
+                "part `{}` does not use its parameter `{parameter}`: remove it, or write \
+                 `_{parameter}`",
+                part.name
+            );
+            context.diagnostics.warn(parameter.span(), UNUSED, message);
+        }
+    }
+}
+
+/// Returns whether the content of a part uses a parameter.
+fn uses(part: &PartSyntax, parameter: &Ident) -> bool {
+    let any = ExprSyntax { kind: ExprKind::Lost, extent: SpanRange::from(parameter) };
+    let arguments = HashMap::from([(parameter.to_string(), Rc::new(any))]);
+    let replaced = Substitution { arguments, instance: None };
+    let ContentSyntax { blocks, routes, .. } = &part.content;
+    blocks.iter().any(|block| replaced.block(block).is_some())
+        || routes.iter().flat_map(RouteSyntax::items).any(|item| replaced.item(item).is_some())
 }
 
 /// Returns the names of all parts that are set by the chain or by another part.

@@ -15,6 +15,7 @@ use crate::diag::Diagnostics;
 use crate::syntax::{
     BlockSyntax, ChainSyntax, PartInstance, PartSyntax, RepeatSyntax, RouteItemSyntax, RouteSyntax,
 };
+pub(super) use definitions::warn_of_unused;
 use substitute::Substitution;
 use writer::RouteWriter;
 

@@ -14,7 +14,7 @@ pub(super) struct Substitution {
     /// The arguments, in which nothing is to be replaced any more.
     pub arguments: HashMap<String, Rc<ExprSyntax>>,
     /// The instance, for messages.
-    pub instance: InstanceId,
+    pub instance: Option<InstanceId>,
 }
 
 /// The functions return `None` where no parameter is used.
@@ -134,7 +134,7 @@ impl Substitution {
     }
 
     fn extent(&self, extent: SpanRange) -> SpanRange {
-        extent.within(Some(self.instance))
+        extent.within(self.instance)
     }
 
     /// Replaces in all entries of a list.
