@@ -154,3 +154,53 @@ fn a_weld_transmits_the_force_that_moves_the_rest() {
     assert!(off < TOLERANCE, "{off:e}");
     assert_eq!(at.second().input().force(), at.second().output().force());
 }
+
+mstmm::mstmm_chain! {
+    /// Four pins between the ground and a base, which a weld holds on the ground.
+    plane chain WeldedLoop {
+        gravity = [1, -9.8] m/s^2;
+        body Bar { mass = 1 kg; com = [0.5, 0.1] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        body Base { mass = 3 kg; com = [0.2, 0.1] m; output = [0.5, 0] m; inertia = 0.2 kg*m^2 about com; }
+        ground -> pin a -> Bar left -> pin b -> Bar top -> pin c -> Bar right -> pin d -> Base base
+            -> weld foot -> ground at [1.3, 0] m;
+        hinge a { start = 80 deg; start_rate = 4 rad/s; }
+        hinge b, c { start = -70 deg; }
+        hinge d { start = 60 deg; }
+    }
+    /// The same four pins, the last of them on the ground.
+    plane chain PinnedLoop {
+        gravity = [1, -9.8] m/s^2;
+        body Bar { mass = 1 kg; com = [0.5, 0.1] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        ground -> pin a -> Bar left -> pin b -> Bar top -> pin c -> Bar right
+            -> pin d -> ground at [0.8, 0] m;
+    }
+}
+
+/// A weld that closes a chain attaches its last body to the ground.
+#[test]
+fn a_weld_closes_a_chain() {
+    let (welded, pinned) = (WeldedLoop::<f64>::new(), PinnedLoop::<f64>::new());
+    let (inputs, mut state) = (welded.no_inputs(), welded.initial_state());
+    welded.assemble(&mut state, &inputs).expect("a loop that closes");
+    let mut same = pinned.initial_state();
+    (same.q, same.v) = (state.q, state.v);
+    let (mut at, mut expected) = (welded.workspace(), pinned.workspace());
+    welded.solve_into(&state, &inputs, &mut at).expect("a regular chain");
+    pinned.solve_into(&same, &pinned.no_inputs(), &mut expected).expect("a regular chain");
+    assert!(state.v[0].abs() > 1.0, "{}", state.v);
+    let carried = |force: nalgebra::Vector2<f64>| [force.x, force.y];
+    let weight = nalgebra::Vector2::new(1.0, -9.8) * 3.0;
+    let place = at.base().input();
+    let off = [
+        place.position().x - 0.8,
+        place.position().y,
+        place.velocity().norm(),
+        difference(at.accelerations().as_slice(), expected.accelerations().as_slice()),
+        difference(
+            &carried(at.foot().input().force()),
+            &carried(expected.d().input().force() + weight),
+        ),
+    ];
+    let off = off.map(f64::abs).into_iter().fold(0.0, worst);
+    assert!(off < TOLERANCE, "{off:e}");
+}
