@@ -23,7 +23,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 16] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 17] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -125,6 +125,12 @@ pub(super) static FUNCTIONS: [FunctionSpec; 16] = [
         when: |chain, _, layout| asks(chain, Request::MassMatrix) && layout.loop_hinges.is_empty(),
         trace: |chain| chain.inverse_mass_matrix_times(),
         checks: checked(outputs::PRODUCT),
+    },
+    FunctionSpec {
+        answer: Answer::Push,
+        when: |chain, _, _| asks(chain, Request::Push),
+        trace: |chain| chain.push(),
+        checks: checked(outputs::CHANGE),
     },
 ];
 

@@ -7,6 +7,7 @@ pub mod layouts;
 pub mod outputs;
 mod pipeline;
 mod point_storage;
+mod push;
 mod solution;
 mod text;
 mod unknowns;

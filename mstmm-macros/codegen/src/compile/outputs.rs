@@ -33,6 +33,8 @@ pub const CLOSURE_PIVOTS: OutputId = OutputId::new("closure_pivots");
 pub const BIAS_EFFORTS: OutputId = OutputId::new("bias_efforts");
 /// The product of a matrix with the given vector, in the order of `v`.
 pub const PRODUCT: OutputId = OutputId::new("product");
+/// The derivative of the accelerations along a direction, in the order of `v`.
+pub const CHANGE: OutputId = OutputId::new("change");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

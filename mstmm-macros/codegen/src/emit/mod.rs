@@ -31,6 +31,7 @@ mod sealed;
 mod spring;
 mod state;
 mod statement;
+mod variation;
 mod warning;
 mod workspace;
 
@@ -94,6 +95,7 @@ pub fn expand(
     let state = state::emit(&cx);
     let inputs = inputs::emit(&cx);
     let workspace = workspace::emit(&cx);
+    let variation = variation::emit(&cx);
     let ide_links = ide_links::emit(&cx);
     quote! {
         #constructor
@@ -101,6 +103,7 @@ pub fn expand(
         #state
         #inputs
         #workspace
+        #variation
         #ide_links
     }
 }

@@ -17,6 +17,8 @@ pub struct TypeNames {
     pub parameters: Ident,
     /// The workspace: the results.
     pub workspace: Ident,
+    /// A variation of all arguments of forward dynamics.
+    pub variation: Ident,
 }
 
 impl TypeNames {
@@ -29,6 +31,7 @@ impl TypeNames {
             inputs: named("Inputs"),
             parameters: named("Parameters"),
             workspace: named("Workspace"),
+            variation: named("Variation"),
         }
     }
 }

@@ -35,12 +35,14 @@ pub enum Answer {
     MassMatrixTimes,
     /// The product of the inverse of the mass matrix with a vector.
     InverseMassMatrixTimes,
+    /// The accelerations, and their derivative along a direction.
+    Push,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 16] = [
+    pub const ALL: [Answer; 17] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -57,6 +59,7 @@ impl Answer {
         Answer::InverseSolution,
         Answer::MassMatrixTimes,
         Answer::InverseMassMatrixTimes,
+        Answer::Push,
     ];
 
     /// Returns its name in the text of a program.
@@ -78,6 +81,7 @@ impl Answer {
             Answer::InverseSolution => "inverse_solution",
             Answer::MassMatrixTimes => "mass_matrix_times",
             Answer::InverseMassMatrixTimes => "inverse_mass_matrix_times",
+            Answer::Push => "push",
         }
     }
 }

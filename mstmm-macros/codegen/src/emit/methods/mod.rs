@@ -2,6 +2,7 @@
 
 mod dynamics;
 mod inverse_dynamics;
+mod products;
 mod state;
 
 use super::names::helper;
@@ -91,6 +92,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::InverseSolution => inverse_dynamics::inverse_solution(cx),
         Answer::MassMatrixTimes => inverse_dynamics::mass_matrix_times(cx),
         Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
+        Answer::Push => products::push(cx),
     }
 }
 

@@ -1,0 +1,52 @@
+//! The methods for products with the derivatives of the accelerations.
+
+use super::super::printer::Destination;
+use super::super::{EmitContext, quaternions};
+use super::dynamics::lent_rates;
+use super::{MethodTemplate, fallible, of_state_and_inputs};
+use crate::compile::outputs;
+use crate::program::OutputId;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+pub(super) fn push(cx: &EmitContext) -> MethodTemplate {
+    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let (given, variation) = (of_state_and_inputs(cx), &cx.names.variation);
+    let lent = ["accelerations_", "change_"].map(|name| {
+        let name = quote::format_ident!("{name}");
+        lent_rates(cx, &quote!(#name))
+    });
+    MethodTemplate {
+        name: quote!(#visibility fn push_into),
+        docs: [
+            quote! {
+                #[doc(alias("jvp", "forward mode", "directional derivative", "pushforward", "tangent"))]
+                /// Computes the accelerations `v̇` and their derivative along a direction, the product of the
+                /// Jacobian of forward dynamics with a vector. Both are exact, and need O(n) operations.
+                ///
+                /// The coordinates change along the rates: `dq = N(q) δ`, with `direction.coordinates` = `δ`.
+                #(#[doc = #near_one])*
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+                /// `Error::NotFinite` if the state, the inputs or the direction are not finite. Both results are
+                /// then unchanged.
+            },
+        ],
+        arguments: {
+            let [a, c] = &lent;
+            quote!(#given direction_: &#variation<T>, #a #c)
+        },
+        returns: fallible(cx, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: |_, id: OutputId| match id {
+            outputs::ACCELERATIONS => Destination::Vector(quote!((*accelerations_))),
+            outputs::CHANGE => Destination::Vector(quote!((*change_))),
+            _ => bug!("a product has no place for `{}`", id.name),
+        },
+    }
+}
