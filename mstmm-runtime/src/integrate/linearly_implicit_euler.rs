@@ -2,6 +2,7 @@
 
 use super::ask::{always, ask};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, clone_and_debug};
+use super::held::held_methods;
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
 
@@ -22,6 +23,8 @@ pub struct LinearlyImplicitEuler<C: Chain> {
 }
 
 advance_methods!(LinearlyImplicitEuler);
+
+held_methods!(LinearlyImplicitEuler);
 
 clone_and_debug!(LinearlyImplicitEuler { rate, result });
 

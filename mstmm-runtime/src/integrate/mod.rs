@@ -20,6 +20,9 @@
 //! calls `|time, state| inputs`, with the time in s, at each stage of a step. Inputs should be smooth in time within a
 //! step; let a step end where they jump.
 //!
+//! `step_held` and `advance_held` hold given inputs over a step or a duration, as a digital controller does (zero-order
+//! hold). They are `step` and `advance_by` with constant inputs.
+//!
 //! Inputs that can fail, such as those of a controller that reads sensors, are given to `try_step`, `try_advance_to` or
 //! `try_advance_by` as a `Result` with an error of any type `E: From<Error>`. The first error ends the step at once and
 //! reaches the caller unchanged. The state and the clock are then those before that step, as are the size of the next
@@ -69,6 +72,7 @@ mod ask;
 mod combine;
 mod dopri5;
 mod fixed_step;
+mod held;
 mod linearly_implicit_euler;
 mod newmark;
 mod rk4;

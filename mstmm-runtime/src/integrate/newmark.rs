@@ -3,6 +3,7 @@
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::held::held_methods;
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// Newmark's method (J. Eng. Mech. Div. ASCE 85, 1959) with a fixed step: order two.
@@ -38,6 +39,8 @@ pub struct Newmark<C: Chain> {
 }
 
 advance_methods!(Newmark);
+
+held_methods!(Newmark);
 
 clone_and_debug!(Newmark { beta, gamma, iterations, first, last, mean, result });
 

@@ -3,6 +3,7 @@
 use super::ask::{always, ask};
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::held::held_methods;
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// The classical Runge–Kutta method of order four with a fixed step.
@@ -21,6 +22,8 @@ pub struct Rk4<C: Chain> {
 }
 
 advance_methods!(Rk4);
+
+held_methods!(Rk4);
 
 clone_and_debug!(Rk4 { stage, rate, sum });
 

@@ -3,6 +3,7 @@
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
 use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::held::held_methods;
 use crate::{Chain, ChainState, Error};
 
 /// The semi-implicit (symplectic) Euler method with a fixed step: order one with one evaluation per step.
@@ -22,6 +23,8 @@ pub struct SemiImplicitEuler<C: Chain> {
 }
 
 advance_methods!(SemiImplicitEuler);
+
+held_methods!(SemiImplicitEuler);
 
 clone_and_debug!(SemiImplicitEuler { rate, result });
 

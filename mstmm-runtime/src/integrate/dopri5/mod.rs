@@ -5,6 +5,7 @@ mod trial;
 use super::Real;
 use super::ask::always;
 use super::combine::{copy, start_plus_scaled, weighted_sum};
+use super::held::held_methods;
 use super::step_control::StepControl;
 use super::tableau::{B, D};
 use crate::{Chain, ChainState, Error, Scalar};
@@ -90,6 +91,8 @@ impl<C: Chain> core::fmt::Debug for Dopri5<C> {
             .finish_non_exhaustive()
     }
 }
+
+held_methods!(Dopri5);
 
 impl<C: Chain> Dopri5<C> {
     /// Makes an integrator with these tolerances for the error of one step.
