@@ -1,0 +1,11 @@
+//! The answers of random chains and trees: identities between them, and comparisons with a reference that computes them by
+//! their definitions in twice the precision.
+
+mod common;
+
+mod answers_random {
+    pub mod efforts;
+    pub mod samples;
+}
+
+use answers_random::samples;
