@@ -4,8 +4,10 @@
 mod common;
 
 mod answers_random {
+    pub mod differences;
     pub mod efforts;
+    pub mod products;
     pub mod samples;
 }
 
-use answers_random::samples;
+use answers_random::{differences, samples};

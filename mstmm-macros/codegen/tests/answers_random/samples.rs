@@ -34,7 +34,9 @@ pub enum Kind {
     /// One route that is not closed.
     OpenRoute,
     Tree,
-    /// A tree with parts and repeated parts.
+    /// A tree that is not closed.
+    OpenTree,
+    /// A tree with parts and repeated parts, not closed.
     Described,
     /// One route, whose numbers are all parameters.
     Lifted,
@@ -197,6 +199,12 @@ fn drawn(kind: Kind, random: &mut Random, name: &str) -> (String, mstmm_referenc
         }
         Kind::Tree => {
             let recipe = TreeRecipe::any(random, 7);
+            random_tree(random, name, &recipe)
+        }
+        Kind::OpenTree => {
+            let dimension = Recipe::any(random, 1).dimension;
+            let ends = *random.choose(&Ends::OPEN);
+            let recipe = TreeRecipe::rich(random, dimension, 7, ends);
             random_tree(random, name, &recipe)
         }
         Kind::Described => {
