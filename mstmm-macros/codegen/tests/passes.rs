@@ -6,7 +6,7 @@ use common::difference;
 use common::formulas::{NUMBERS, evaluated, random_function, random_values, unknowns};
 use common::interpreter::{Arrays, Failed, run};
 use mstmm_codegen::expr::{Graph, Stage};
-use mstmm_codegen::function::{Function, Output};
+use mstmm_codegen::function::{Function, Output, Written};
 use mstmm_codegen::ids::RepeatId;
 use mstmm_codegen::passes::{
     Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
@@ -47,7 +47,7 @@ fn setup_function<'g>(function: &Function<'g>, setup: &SetupSlots) -> Function<'
         let values: Vec<_> = setup.values(part).into_iter().map(|(_, edge)| edge).collect();
         let repeated = part.map(|part| (part, function.unknowns.repetitions(part)));
         let layout = ArrayLayout::of([(values.len(), repeated)]);
-        Output { id: OutputId { name: "slots", part }, layout, values, by_entry: false }
+        Output { id: OutputId { name: "slots", part }, layout, values, written: Written::Together }
     };
     Function {
         stage: Stage::Setup,

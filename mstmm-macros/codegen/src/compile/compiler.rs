@@ -5,7 +5,7 @@ use super::{layouts, outputs};
 use crate::equations::{self, AXES, EvalContext, HingePivot, SymbolValues, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
-use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns};
+use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns, Written};
 use crate::ids::ParameterId;
 use crate::math::PIVOT_ULPS;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, SolutionMethod, Value};
@@ -132,7 +132,7 @@ impl<'a> ChainCompiler<'a> {
 
     pub(super) fn output(&self, id: OutputId, layout: ArrayLayout, values: &[Expr<'a>]) -> Output {
         let values = values.iter().map(|&value| self.graph.edge(value)).collect();
-        Output { id, layout, values, by_entry: false }
+        Output { id, layout, values, written: Written::Together }
     }
 
     /// Returns an output outside of repeated parts.
@@ -278,7 +278,12 @@ impl<'a> ChainCompiler<'a> {
             let slots = setup.values(part);
             let layout = layouts::of(self.chain, [(slots.len(), part)]);
             let values: Vec<Edge> = slots.iter().map(|(_, edge)| *edge).collect();
-            outputs.push(Output { id: outputs::slots(part), layout, values, by_entry: false });
+            outputs.push(Output {
+                id: outputs::slots(part),
+                layout,
+                values,
+                written: Written::Together,
+            });
             named.extend(slots.into_iter().map(|(name, edge)| (name.to_owned(), edge)));
         }
         let checked: Vec<Expr> =

@@ -64,11 +64,4 @@ impl<'a> ChainCompiler<'a> {
         let outputs = vec![self.rates(outputs::PRODUCT, &product)];
         Function { outputs, pivots: self.pivots(&pivots), ..function }.into()
     }
-
-    pub(super) fn inverse_solution(&self) -> Traced<'a> {
-        let given = self.given(Given::Accelerations);
-        self.with_results(Some(&given), |context, trace| {
-            equations::inverse_dynamics_with_wrenches(context, AXES, trace)
-        })
-    }
 }

@@ -55,17 +55,18 @@ pub struct PointStorage {
     pub of: ConnectionPoints,
 }
 
-/// Assigns storage to all points of a chain; returns the storage and the values to be stored.
+/// Assigns storage to all points of a chain, the same for several functions that compute them. Returns the storage, and the
+/// values to be stored of each function. `reports` has one report for each function.
 pub(super) fn allocate<'g>(
     chain: &Chain,
     graph: &'g Graph,
-    report: &Report<Expr<'g>>,
+    reports: &[Report<Expr<'g>>],
     numbers: &SymbolValues<Expr<'g>>,
-) -> (PointStorage, Vec<Expr<'g>>) {
-    let mut allocator =
-        PointAllocator { graph, known: HashMap::new(), start: 0, numbers: Vec::new() };
+) -> (PointStorage, Vec<Vec<Expr<'g>>>) {
+    let stored = vec![Vec::new(); reports.len()];
+    let mut allocator = PointAllocator { graph, known: HashMap::new(), start: 0, numbers: stored };
     let mut storage =
-        PointStorage { of: report.connection_points.clone(), ..PointStorage::default() };
+        PointStorage { of: reports[0].connection_points.clone(), ..PointStorage::default() };
     let ends = chain.elements.iter().zip(&storage.of.elements);
     let inputs: HashMap<PointId, BodyId> = ends
         .filter_map(|(&element, ends)| match element {
@@ -73,7 +74,7 @@ pub(super) fn allocate<'g>(
             Element::Hinge(_) => None,
         })
         .collect();
-    for ((index, at), point) in storage.of.points.enumerate().zip(&report.points) {
+    for (index, at) in storage.of.points.enumerate() {
         match storage.segments.last() {
             Some((_, last)) if *last == at.repeat => {}
             _ => {
@@ -81,7 +82,9 @@ pub(super) fn allocate<'g>(
                 storage.segments.push((0, at.repeat));
             }
         }
-        let mut stored = allocator.point(point, chain.dimension, chain.results);
+        let points: Vec<&PointState<Expr>> =
+            reports.iter().map(|report| &report.points[index]).collect();
+        let mut stored = allocator.point(&points, chain.dimension, chain.results);
         if let Some(&body) = inputs.get(&index) {
             stored.changing = allocator.changing(&chain.bodies[body], chain, numbers);
         }
@@ -93,55 +96,63 @@ pub(super) fn allocate<'g>(
     (storage, allocator.numbers)
 }
 
-/// The storage under construction.
+/// The storage under construction. A vector has one value for each function; it is stored unless it vanishes in all of them.
 struct PointAllocator<'g> {
     graph: &'g Graph,
     /// The first entries of the segment's vectors, by their values.
     known: HashMap<Vec<Edge>, usize>,
     /// The number of entries before the segment.
     start: usize,
-    /// The stored values.
-    numbers: Vec<Expr<'g>>,
+    /// The stored values of each function.
+    numbers: Vec<Vec<Expr<'g>>>,
 }
 
 impl<'g> PointAllocator<'g> {
     fn begin_segment(&mut self) {
         self.known.clear();
-        self.start = self.numbers.len();
+        self.start = self.numbers[0].len();
     }
 
     /// Returns the number of entries of the segment.
     fn count(&self) -> usize {
-        self.numbers.len() - self.start
+        self.numbers[0].len() - self.start
     }
 
     /// Stores the requested vectors of a point; all others are zero vectors.
     fn point(
         &mut self,
-        point: &PointState<Expr<'g>>,
+        points: &[&PointState<Expr<'g>>],
         dimension: Dimension,
         results: Results,
     ) -> StoredPoint {
         let (translations, rotations) = (dimension.translations(), dimension.rotations());
+        let all = |read: fn(&PointState<Expr<'g>>) -> FramedVector<Expr<'g>>| {
+            points.iter().map(|point| read(point)).collect::<Vec<_>>()
+        };
         let seen = [
-            (results.velocities, &point.velocity, translations),
-            (results.velocities, &point.omega, rotations),
-            (results.z, &point.proper_acceleration, translations),
-            (results.z, &point.angular_acceleration, rotations),
-            (results.z, &point.moment, rotations),
-            (results.z, &point.force, translations),
+            (results.velocities, all(|point| point.velocity), translations),
+            (results.velocities, all(|point| point.omega), rotations),
+            (results.z, all(|point| point.proper_acceleration), translations),
+            (results.z, all(|point| point.angular_acceleration), rotations),
+            (results.z, all(|point| point.moment), rotations),
+            (results.z, all(|point| point.force), translations),
         ];
         let (position, orientation) = if results.poses {
-            let columns = point.rotation.transposed().0;
-            (self.vector(point.position.0, translations), self.axes(columns, dimension))
+            let positions = points.iter().map(|point| point.position.0);
+            let columns = points.iter().map(|point| point.rotation.transposed().0);
+            (
+                self.vector(&positions.collect::<Vec<_>>(), translations),
+                self.axes(&columns.collect::<Vec<_>>(), dimension),
+            )
         } else {
             (StoredVector::default(), None)
         };
         let seen = seen.into_iter().filter(|(.., along)| !along.is_empty());
-        let framed = |(wanted, seen, along)| match wanted {
-            true => self.framed(seen, along, dimension),
-            false => StoredFramedVector { axes: None, vector: StoredVector::default() },
-        };
+        let framed =
+            |(wanted, seen, along): (bool, Vec<FramedVector<Expr<'g>>>, &[usize])| match wanted {
+                true => self.framed(&seen, along, dimension),
+                false => StoredFramedVector { axes: None, vector: StoredVector::default() },
+            };
         let vectors = seen.map(framed).collect();
         let changing = Vec::new();
         StoredPoint { start: self.start, position, orientation, vectors, changing }
@@ -158,53 +169,60 @@ impl<'g> PointAllocator<'g> {
         let all = body.own_points().map(|position| {
             let changes = translations.iter().any(|&axis| position[axis].changes());
             let kept = changes && chain.results.poses;
-            kept.then(|| self.vector(numbers.vector(position).0, translations))
+            let same = vec![numbers.vector(position).0; self.numbers.len()];
+            kept.then(|| self.vector(&same, translations))
         });
         all.collect()
     }
 
     fn framed(
         &mut self,
-        seen: &FramedVector<Expr<'g>>,
+        seen: &[FramedVector<Expr<'g>>],
         along: &[usize],
         dimension: Dimension,
     ) -> StoredFramedVector {
-        let vector = self.vector(seen.vector.0, along);
+        let vectors: Vec<[Expr; 3]> = seen.iter().map(|seen| seen.vector.0).collect();
+        let vector = self.vector(&vectors, along);
         // A zero vector, and a rotation in the plane, have the same components in all axes.
         let has_frame = vector != StoredVector::default() && along.len() > 1;
-        let axes = has_frame.then(|| self.axes(seen.axes.transposed().0, dimension)).flatten();
+        let columns = || seen.iter().map(|seen| seen.axes.transposed().0).collect::<Vec<_>>();
+        let axes = has_frame.then(|| self.axes(&columns(), dimension)).flatten();
         StoredFramedVector { axes, vector }
     }
 
     /// Stores the columns of a rotation, unless it is the identity.
     fn axes(
         &mut self,
-        columns: [[Expr<'g>; 3]; 3],
+        columns: &[[[Expr<'g>; 3]; 3]],
         dimension: Dimension,
     ) -> Option<Vec<StoredVector>> {
         let is_unit = |(k, column): (usize, &[Expr<'g>; 3])| {
             let one = |i: usize| if i == k { 1.0 } else { 0.0 };
             column.iter().enumerate().all(|(i, x)| x.known() == Some(one(i)))
         };
-        let inertial = columns.iter().enumerate().all(is_unit);
+        let inertial = columns.iter().all(|columns| columns.iter().enumerate().all(is_unit));
         let (count, translations) = (dimension.columns(), dimension.translations());
-        (!inertial && count > 0).then(|| {
-            columns[..count].iter().map(|&column| self.vector(column, translations)).collect()
-        })
+        let column = |k: usize| columns.iter().map(|columns| columns[k]).collect::<Vec<_>>();
+        (!inertial && count > 0)
+            .then(|| (0..count).map(|k| self.vector(&column(k), translations)).collect())
     }
 
-    /// Stores a vector's components along some axes.
-    fn vector(&mut self, vector: [Expr<'g>; 3], along: &[usize]) -> StoredVector {
-        let edges: Vec<Edge> = along.iter().map(|&k| self.graph.edge(vector[k])).collect();
+    /// Stores the components of a vector along some axes.
+    fn vector(&mut self, vectors: &[[Expr<'g>; 3]], along: &[usize]) -> StoredVector {
+        let edge = |vector: &[Expr<'g>; 3], k: usize| self.graph.edge(vector[k]);
+        let edges: Vec<Edge> =
+            vectors.iter().flat_map(|vector| along.iter().map(move |&k| edge(vector, k))).collect();
         if edges.iter().all(|&edge| self.graph.expr(edge).known() == Some(0.0)) {
             return StoredVector::default();
         }
-        let count = edges.len();
+        let count = along.len();
         if let Some(&first) = self.known.get(&edges) {
             return StoredVector { first, count };
         }
         let first = self.count() + 1;
-        self.numbers.extend(edges.iter().map(|&edge| self.graph.expr(edge)));
+        for (numbers, of_function) in self.numbers.iter_mut().zip(edges.chunks(count)) {
+            numbers.extend(of_function.iter().map(|&edge| self.graph.expr(edge)));
+        }
         self.known.insert(edges, first);
         StoredVector { first, count }
     }

@@ -78,9 +78,20 @@ pub struct Output {
     pub layout: ArrayLayout,
     /// Its entries; an entry of a repeated part is the formula for all repetitions.
     pub values: Vec<Edge>,
-    /// Whether each entry is written as soon as it is known, and entries that are the same in every state are written
-    /// when the array is created.
-    pub by_entry: bool,
+    /// When its entries are written.
+    pub written: Written,
+}
+
+/// When the entries of an output are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// All together at the end.
+    Together,
+    /// Each as soon as it is known.
+    ByEntry,
+    /// Each as soon as it is known. Entries that are the same in every state are written when the array is created; no
+    /// other function may write it.
+    ByEntryOnceIfConstant,
 }
 
 /// A divisor that may vanish, with its hinge.

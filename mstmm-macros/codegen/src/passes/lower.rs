@@ -1,7 +1,7 @@
 //! Lowers a program to a procedure: adds loads, tests and stores.
 
 use super::SetupSlots;
-use crate::function::{Function, Output};
+use crate::function::{Function, Output, Written};
 use crate::ids::{IdVec, RepeatId, SymbolId};
 use crate::program::{
     Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, BlockId, CheckId, Failure,
@@ -218,7 +218,10 @@ impl Lowering<'_> {
         for output in &self.function.outputs {
             let array = self.result(output);
             let results = &self.program.results[self.function.entries_of(output.id)];
-            let by_entry = output.by_entry && failure == Some(Failure::Reset) && !self.looped;
+            let by_entry = output.written != Written::Together
+                && failure == Some(Failure::Reset)
+                && !self.looped;
+            let constants_once = output.written == Written::ByEntryOnceIfConstant;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let entries = &results[segment.entries()];
                 let repetition =
@@ -233,7 +236,7 @@ impl Lowering<'_> {
                 }
                 for (first, value) in entries.iter().enumerate() {
                     match value {
-                        Some(Operand::Number(known)) => {
+                        Some(Operand::Number(known)) if constants_once => {
                             self.arrays[array].initial.push((segment.offset + first, *known));
                         }
                         Some(_) => {

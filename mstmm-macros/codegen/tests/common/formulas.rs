@@ -2,7 +2,7 @@
 
 use super::interpreter::{Failed, Judge};
 use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
-use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns};
+use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns, Written};
 use mstmm_codegen::ids::{ParameterId, RepeatId, SymbolId};
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
@@ -96,7 +96,8 @@ pub fn random_function<'g>(
         items.push((1, (part < 2).then(|| (RepeatId(part), REPETITIONS[part]))));
         values.push(graph.edge(of(random, part, 4)));
     }
-    let output = Output { id: NUMBERS, layout: ArrayLayout::of(items), values, by_entry: false };
+    let output =
+        Output { id: NUMBERS, layout: ArrayLayout::of(items), values, written: Written::Together };
     let count = random.below(4);
     let pivot = |number: usize| {
         let part = pick(random);
