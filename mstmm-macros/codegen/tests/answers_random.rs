@@ -8,6 +8,7 @@ mod answers_random {
     pub mod efforts;
     pub mod products;
     pub mod samples;
+    pub mod workspaces;
 }
 
 use answers_random::{differences, samples};
