@@ -3,6 +3,7 @@
 //! They are not part of the public interface and may change with every version.
 
 mod linkage;
+mod not_asked;
 
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
@@ -10,6 +11,7 @@ pub use arrayvec::ArrayVec as LoopStore;
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
+pub use not_asked::NotAsked;
 
 use core::convert::identity;
 

@@ -22,6 +22,12 @@ mstmm::mstmm_chain! {
         body Car { mass = 1 kg; }
         ground -> slider a -> Car b;
     }
+
+    line chain Several {
+        answers = [basic, jacobians, linearize, basic];
+        body Car { mass = 1 kg; }
+        ground -> slider a -> Car b;
+    }
 }
 
 fn main() {}

@@ -74,6 +74,21 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
     }
 }
 
+/// Returns the implementation of `Deref`: methods that the description does not ask for are errors that name the word.
+pub fn not_asked(cx: &EmitContext) -> TokenStream {
+    let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
+    quote! {
+        #[doc(hidden)]
+        impl<T: #mstmm::Scalar> ::core::ops::Deref for #name<T> {
+            type Target = #mstmm::generated::NotAsked<Self>;
+
+            fn deref(&self) -> &Self::Target {
+                #mstmm::generated::NotAsked::of(self)
+            }
+        }
+    }
+}
+
 /// The methods that project a closed chain onto its loop constraints.
 struct ClosureMethods {
     project: TokenStream,

@@ -442,6 +442,13 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
         self.energy(state_)
     }
 }
+#[doc(hidden)]
+impl<T: ::mstmm::Scalar> ::core::ops::Deref for Pendulum<T> {
+    type Target = ::mstmm::generated::NotAsked<Self>;
+    fn deref(&self) -> &Self::Target {
+        ::mstmm::generated::NotAsked::of(self)
+    }
+}
 /// The state of [`Pendulum`]: coordinates, rates and time.
 ///
 /// The entries of all hinges are in the order of the route. The floating base comes first, if there

@@ -42,6 +42,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let energy = chain_impl::energy(cx);
     let chain_impl = chain_impl::chain_impl(cx);
     let generated = chain_impl::generated(cx);
+    let not_asked = chain_impl::not_asked(cx);
     quote! {
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
@@ -51,6 +52,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         }
         #chain_impl
         #generated
+        #not_asked
     }
 }
 

@@ -1,0 +1,95 @@
+//! The methods that a chain does not have because its description does not ask for them
+//! (`mstmm-runtime/src/generated/not_asked.rs`) are those that the words of `answers` add.
+
+use mstmm_codegen::model::ANSWER_WORDS;
+use quote::{ToTokens, quote};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use syn::{ImplItem, ImplItemFn, Item};
+
+/// A method's name, and the number of its arguments after `&self`.
+type Method = (String, usize);
+
+fn method(function: &ImplItemFn) -> Method {
+    (function.sig.ident.to_string(), function.sig.inputs.len() - 1)
+}
+
+/// Returns the functions of all inherent implementations of a type.
+fn functions<'a>(items: &'a [Item], name: &'a str) -> impl Iterator<Item = &'a ImplItemFn> {
+    let blocks = items.iter().filter_map(move |item| match item {
+        Item::Impl(block) if block.trait_.is_none() => {
+            let of_type = block.self_ty.to_token_stream().to_string();
+            (of_type.split(' ').next() == Some(name)).then_some(block)
+        }
+        _ => None,
+    });
+    blocks.flat_map(|block| &block.items).filter_map(|item| match item {
+        ImplItem::Fn(function) => Some(function),
+        _ => None,
+    })
+}
+
+/// Returns the public methods of a chain with these answers.
+fn generated(answers: &str) -> Vec<Method> {
+    let text = format!(
+        "pub chain Arm {{
+            gravity = [0, 0, -9.81] m/s^2;
+            {answers}
+            body Rod {{
+                mass = 2 kg; com = [0.3, 0, 0] m; output = [0.6, 0, 0] m;
+                inertia = diag(0.01, 0.02, 0.02) kg*m^2 about com;
+            }}
+            ground -> pin(y) shoulder -> Rod upper -> pin(y) elbow -> Rod lower;
+            hinge shoulder, elbow {{ torque = input; }}
+        }}"
+    );
+    let expansion = mstmm_codegen::expand(text.parse().expect("tokens"), &quote!(::mstmm));
+    assert!(expansion.errors.is_none(), "{:?}", expansion.errors);
+    let file: syn::File = syn::parse2(expansion.items).expect("items");
+    let functions = functions(&file.items, "Arm");
+    let public = functions.filter(|function| matches!(function.vis, syn::Visibility::Public(_)));
+    public.filter(|function| function.sig.receiver().is_some()).map(method).collect()
+}
+
+/// Returns the methods that are not asked for, with the trait that each needs.
+fn not_asked() -> BTreeMap<Method, String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../mstmm-runtime/src/generated/not_asked.rs");
+    let file = syn::parse_file(&fs::read_to_string(path).expect("a source")).expect("items");
+    let methods = functions(&file.items, "NotAsked").filter(|f| f.sig.receiver().is_some());
+    methods
+        .map(|function| {
+            let needs = function.sig.generics.where_clause.to_token_stream().to_string();
+            let (_, needed) = needs.rsplit_once("Asks").expect("a trait");
+            (method(function), needed.trim_end_matches([' ', ',']).to_owned())
+        })
+        .collect()
+}
+
+/// `mass_matrix` is `MassMatrix`.
+fn camel_case(word: &str) -> String {
+    let parts = word.split('_');
+    parts.map(|part| part[..1].to_uppercase() + &part[1..]).collect()
+}
+
+#[test]
+fn a_method_that_a_word_adds_is_an_error_without_the_word() {
+    let (always, not_asked) = (generated(""), not_asked());
+    let clashes: Vec<_> = always.iter().filter(|method| not_asked.contains_key(method)).collect();
+    assert!(clashes.is_empty(), "every chain has {clashes:?}");
+    for (word, _) in ANSWER_WORDS {
+        let with = generated(&format!("answers = {word};"));
+        for method in with.iter().filter(|method| !always.contains(method)) {
+            assert!(not_asked.contains_key(method), "{word} adds {method:?}, which has no error");
+        }
+    }
+}
+
+#[test]
+fn errors_name_words_that_exist() {
+    let words: Vec<String> = ANSWER_WORDS.iter().map(|(word, _)| camel_case(word)).collect();
+    for (method, needed) in not_asked() {
+        assert!(words.contains(&needed), "{method:?} needs {needed}");
+    }
+}

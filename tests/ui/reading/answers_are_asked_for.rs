@@ -1,0 +1,45 @@
+//! A method that the description does not ask for names the word to add; a method that it asks for compiles.
+
+use mstmm::prelude::*;
+
+mstmm_chain! {
+    chain Silent {
+        body Rod { mass = 1 kg; com = [0.5, 0, 0] m; inertia = diag(0.01, 1, 1) kg*m^2 about com; }
+        ground -> pin(z) joint -> Rod rod;
+        hinge joint { torque = input; }
+    }
+
+    plane chain Asked {
+        answers = [bias_efforts, mass_matrix];
+        body Rod { mass = 1 kg; com = [0.5, 0] m; inertia = 1 kg*m^2 about com; }
+        ground -> pin joint -> Rod rod;
+    }
+}
+
+/// A user's method with the name of an answer.
+trait Regressor {
+    fn regressor(&self) -> f64;
+}
+
+impl Regressor for Silent<f64> {
+    fn regressor(&self) -> f64 {
+        1.0
+    }
+}
+
+fn main() -> Result<(), mstmm::Error> {
+    let robot = Silent::<f64>::new();
+    let (state, inputs) = (robot.initial_state(), SilentInputs { joint: 0.0 });
+    let bias = robot.bias_efforts(&state, &inputs)?;
+    let mass = robot.mass_matrix(&state, &inputs)?;
+    println!("{}", mass[(0, 0)] * bias.norm() + robot.regressor());
+    let mut dynamics = [[0.0; 2]; 2];
+    robot.linearize_into(&state, &inputs, &mut dynamics)?;
+
+    let pendulum = Asked::<f64>::new();
+    let (state, inputs) = (pendulum.initial_state(), pendulum.no_inputs());
+    let bias = pendulum.bias_efforts(&state, &inputs)?;
+    pendulum.mass_matrix_times(&state, &inputs, &bias)?;
+    pendulum.inverse_dynamics(&state, &bias, &inputs)?;
+    Ok(())
+}
