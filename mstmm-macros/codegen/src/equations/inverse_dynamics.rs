@@ -182,7 +182,7 @@ pub(super) fn accelerations<S: Scalar>(
     base: Motion<S>,
     trace: &mut Trace<S>,
 ) -> PerLink<Motion<S>> {
-    let (_, accelerations) = context.tree.outward(base, |link, &parent| {
+    let (accelerations, _) = context.tree.outward(base, |link, &parent| {
         let hinge = &links[link].hinge;
         let bias = hinge.acceleration_from_parent(parent, hinge.bias_acceleration);
         let a = match context.given_accelerations(hinge.id) {
@@ -195,7 +195,7 @@ pub(super) fn accelerations<S: Scalar>(
             "[P, Eqs. (13), (36), (44)]",
         );
         trace.motion(&format!("{}_acc", hinge.name), a);
-        (a, a)
+        (a, ())
     });
     accelerations
 }

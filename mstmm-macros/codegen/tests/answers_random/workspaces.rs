@@ -45,3 +45,8 @@ fn open_routes() {
 fn parameters() {
     samples(Kind::Lifted, 3000..3020, "inverse_dynamics").for_each(|sample| check(&sample));
 }
+
+#[test]
+fn trees_with_repeated_parts() {
+    samples(Kind::Described, 2000..2060, "inverse_dynamics").for_each(|sample| check(&sample));
+}
