@@ -16,6 +16,14 @@ mstmm_chain! {
     }
 }
 
+mstmm_chain! {
+    plane chain Closed {
+        answers = inverse_dynamics;
+        body Rod { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 1 kg*m^2 about com; }
+        ground -> pin a -> Rod one -> pin b -> Rod two -> pin c -> Rod three -> pin d -> ground at [1, 0] m;
+    }
+}
+
 /// A user's method with the name of an answer.
 trait Regressor {
     fn regressor(&self) -> f64;
@@ -41,5 +49,10 @@ fn main() -> Result<(), mstmm::Error> {
     let bias = pendulum.bias_efforts(&state, &inputs)?;
     pendulum.mass_matrix_times(&state, &inputs, &bias)?;
     pendulum.inverse_dynamics(&state, &bias, &inputs)?;
+
+    let closed = Closed::<f64>::new();
+    let (state, inputs) = (closed.initial_state(), closed.no_inputs());
+    let efforts = closed.inverse_dynamics(&state, &state.v, &inputs)?;
+    closed.inverse_solve_into(&state, &efforts, &inputs, &mut closed.workspace())?;
     Ok(())
 }
