@@ -6,9 +6,10 @@ mod common;
 mod answers_random {
     pub mod differences;
     pub mod efforts;
+    pub mod laws;
     pub mod products;
     pub mod samples;
     pub mod workspaces;
 }
 
-use answers_random::{differences, samples};
+use answers_random::{differences, products, samples};

@@ -1,11 +1,12 @@
 //! The derivative of the accelerations along a direction.
 
 use crate::common::drives;
+use crate::common::given::Given;
 use crate::differences::{Asked, Direction};
 use crate::samples::{Kind, Sample, dot, largest, samples};
 use mstmm_codegen::compile::outputs;
 use mstmm_codegen::model::{Answer, InputKind, Layout};
-use mstmm_codegen::program::{Argument, Given};
+use mstmm_codegen::program::{Argument, Given as Vector};
 use mstmm_reference::{Change, Drives, LoadInput, Random};
 
 /// The tolerance relative to the largest entry of the derivative and of the accelerations. Both lose as many
@@ -78,14 +79,14 @@ fn keep_lengths(sample: &Sample, direction: &mut Vec<f64>) {
 }
 
 /// Returns the accelerations and their derivative.
-fn push(sample: &Sample, direction: &Direction) -> [Vec<f64>; 2] {
-    let vectors: [(Given, &[f64]); 4] = [
-        (Given::CoordinateDirection, &direction.coordinates),
-        (Given::RateDirection, &direction.rates),
-        (Given::InputDirection, &direction.inputs),
-        (Given::ParameterDirection, &direction.parameters),
+pub fn push(sample: &Sample, given: &Given<f64>, direction: &Direction) -> [Vec<f64>; 2] {
+    let vectors: [(Vector, &[f64]); 4] = [
+        (Vector::CoordinateDirection, &direction.coordinates),
+        (Vector::RateDirection, &direction.rates),
+        (Vector::InputDirection, &direction.inputs),
+        (Vector::ParameterDirection, &direction.parameters),
     ];
-    let results = sample.all(&sample.given::<f64>(), Answer::Push, &vectors);
+    let results = sample.all(given, Answer::Push, &vectors);
     [outputs::ACCELERATIONS, outputs::CHANGE].map(|id| results.result(id))
 }
 
@@ -103,7 +104,7 @@ fn pushed_along(sample: &Sample) {
         ("everything", all),
     ];
     for (what, direction) in one_by_one {
-        let [found, change] = push(sample, &direction);
+        let [found, change] = push(sample, &sample.given(), &direction);
         let scale = largest(&accelerations);
         sample.check("accelerations", (&found, &accelerations), scale, TOLERANCE);
         let asked = Asked { answer, id, accelerations: None };
@@ -124,7 +125,8 @@ fn linear(sample: &Sample) {
         parameters: sum(&one.parameters, &two.parameters),
         ..one.clone()
     };
-    let [[_, one], [_, two], [_, both]] = [one, two, both].map(|it| push(sample, &it));
+    let [[_, one], [_, two], [_, both]] =
+        [one, two, both].map(|it| push(sample, &sample.given(), &it));
     let scale = largest(&one).max(largest(&two));
     sample.check("linear", (&both, &sum(&one, &two)), scale, TOLERANCE);
 }
@@ -172,7 +174,7 @@ fn by_definition(sample: &Sample) {
         inputs,
         ..sample.no_direction()
     };
-    let [accelerations, found] = push(sample, &direction);
+    let [accelerations, found] = push(sample, &sample.given(), &direction);
     let expected = truth.accelerations_along(&in_dimension(sample, change));
     let scale = largest(&accelerations).max(largest(&expected));
     sample.check("by definition", (&found, &expected), scale, TOLERANCE);

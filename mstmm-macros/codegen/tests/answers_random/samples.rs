@@ -40,6 +40,10 @@ pub enum Kind {
     Described,
     /// One route, whose numbers are all parameters.
     Lifted,
+    /// A tree without springs, dampers, loads and prescribed motions, not closed.
+    Bare,
+    /// The same on a moving frame, with gravity as an input.
+    Carried,
 }
 
 /// Returns the first seed, which `MSTMM_SEED` sets.
@@ -207,6 +211,17 @@ fn drawn(kind: Kind, random: &mut Random, name: &str) -> (String, mstmm_referenc
             let recipe = TreeRecipe::rich(random, dimension, 7, ends);
             random_tree(random, name, &recipe)
         }
+        Kind::Bare => {
+            let ends = *random.choose(&[Ends::HeldFree, Ends::FreeFree, Ends::FreeHeld]);
+            let recipe = bare(random, ends);
+            random_tree(random, name, &recipe)
+        }
+        Kind::Carried => {
+            let ends = *random.choose(&[Ends::MovingFree, Ends::FreeMoving]);
+            let recipe = bare(random, ends);
+            let chain = Recipe { gravity_inputs: 1.0, ..recipe.chain };
+            random_tree(random, name, &TreeRecipe { chain, ..recipe })
+        }
         Kind::Described => {
             let ends = *random.choose(&[Ends::HeldFree, Ends::MovingFree, Ends::FreeFree]);
             let dimension = Recipe::any(random, 1).dimension;
@@ -216,4 +231,21 @@ fn drawn(kind: Kind, random: &mut Random, name: &str) -> (String, mstmm_referenc
         }
     };
     (truth.to_macro_text(None), truth)
+}
+
+/// Returns a tree of any dimension with nothing but gravity and motors.
+fn bare(random: &mut Random, ends: Ends) -> TreeRecipe {
+    let dimension = Recipe::any(random, 1).dimension;
+    let bodies = 2 + random.below(4);
+    let recipe = TreeRecipe::rich(random, dimension, bodies, ends);
+    let chain = Recipe {
+        constant_motors: 0.0,
+        passive: 0.0,
+        prescribed: 0.0,
+        loads: 0.0,
+        springs: 0.0,
+        gravity_inputs: 0.0,
+        ..recipe.chain
+    };
+    TreeRecipe { chain, forest: 0.0, springs_between: 0.0, ..recipe }
 }
