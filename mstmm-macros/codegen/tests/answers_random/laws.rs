@@ -151,9 +151,8 @@ fn directions_across_gravity_are_equivalent() {
         direction.rates[..3].copy_from_slice(&turned(v));
         // The angular displacement has body axes.
         let rotation = rows(&q[3..7]);
-        for k in 0..3 {
-            direction.coordinates[3 + k] = (0..3).map(|row| rotation[row][k] * gravity[row]).sum();
-        }
+        let own = |k: usize| -> f64 { (0..3).map(|row| rotation[row][k] * gravity[row]).sum() };
+        direction.coordinates[3..6].copy_from_slice(&[0, 1, 2].map(own));
         let [accelerations, change] = push(&sample, &given, &direction);
         let mut expected = vec![0.0; change.len()];
         expected[..3].copy_from_slice(&turned(&accelerations));
