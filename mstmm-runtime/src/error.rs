@@ -49,6 +49,12 @@ pub enum Error {
         /// The name of the closing hinge in the description.
         hinge: &'static str,
     },
+    /// A matrix is singular, or not positive definite where it must be, up to rounding.
+    SingularMatrix,
+    /// No gain was found that makes the closed loop of a regulator stable.
+    ///
+    /// An unstable or marginally stable motion is not changed by the inputs, or it has no weight in the cost.
+    NotStabilizable,
 }
 
 impl fmt::Display for Error {
@@ -73,6 +79,13 @@ impl fmt::Display for Error {
             Error::OutsideStep => f.write_str("the time is outside the last step"),
             Error::NotAssembled => f.write_str(
                 "the chain cannot be closed from this state: start closer to a pose in which it is closed",
+            ),
+            Error::SingularMatrix => {
+                f.write_str("a matrix is singular, or not positive definite, up to rounding")
+            }
+            Error::NotStabilizable => f.write_str(
+                "no gain was found that makes the closed loop stable: the inputs must act on each motion that does not \
+                 decay, and the cost must have a weight for it",
             ),
             Error::ClosureRank { hinge } => write!(
                 f,

@@ -114,6 +114,7 @@ pub mod hinge;
 pub mod integrate;
 #[cfg(feature = "wide")]
 pub mod lanes;
+pub mod linear;
 mod loop_closure;
 pub mod paper;
 mod point;

@@ -29,5 +29,14 @@ fn errors_have_these_texts() {
         text(Error::NotAssembled),
         "the chain cannot be closed from this state: start closer to a pose in which it is closed"
     );
+    assert_eq!(
+        text(Error::SingularMatrix),
+        "a matrix is singular, or not positive definite, up to rounding"
+    );
+    assert_eq!(
+        text(Error::NotStabilizable),
+        "no gain was found that makes the closed loop stable: the inputs must act on each motion that does not decay, \
+         and the cost must have a weight for it"
+    );
     let _: &dyn core::error::Error = &refused;
 }

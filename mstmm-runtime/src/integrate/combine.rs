@@ -29,7 +29,7 @@ pub(super) fn add_scaled<S: ChainState>(sum: &mut S, weight: S::Scalar, rate: &S
 }
 
 /// `to` = `from` + factor · `rate`; the time is unchanged.
-pub(super) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar, rate: &S) {
+pub(crate) fn sum_scaled<S: ChainState>(to: &mut S, from: &S, factor: S::Scalar, rate: &S) {
     let sum = |((to, &from), &rate): ((&mut S::Scalar, &S::Scalar), &S::Scalar)| {
         *to = factor.mul_add(rate, from);
     };

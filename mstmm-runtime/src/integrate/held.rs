@@ -11,6 +11,8 @@ macro_rules! held_methods {
             ///
             /// A digital controller holds its outputs between two samples. A prescribed motion that is an input keeps
             /// its position, rate and acceleration over the step; use [`step`](Self::step) for those that move.
+            /// [`discretize`](crate::linear::discretize) computes the linear model of a step of
+            /// [`Rk4`](crate::Rk4) with held inputs.
             ///
             /// # Errors
             /// Those of [`step`](Self::step).

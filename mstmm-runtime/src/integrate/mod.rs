@@ -69,7 +69,7 @@
 //! step.
 
 mod ask;
-mod combine;
+pub(crate) mod combine;
 mod dopri5;
 mod fixed_step;
 mod held;

@@ -1,0 +1,235 @@
+//! Regulators against the Riccati equation, closed forms, and the recursion over many steps.
+
+use super::{Random, converted};
+use mstmm_runtime::Error;
+use mstmm_runtime::linear::{Lqr, lqr};
+use mstmm_runtime::nalgebra::{DMatrix, Matrix1, Matrix2, SMatrix, Vector2};
+
+/// A system and its weights.
+struct Problem<const X: usize, const U: usize> {
+    a: SMatrix<f64, X, X>,
+    b: SMatrix<f64, X, U>,
+    q: SMatrix<f64, X, X>,
+    r: SMatrix<f64, U, U>,
+}
+
+impl<const X: usize, const U: usize> Problem<X, U> {
+    /// Motions grow by up to `growth` in a step.
+    fn random(seed: u64, growth: f64) -> Self {
+        let mut random = Random::new(seed);
+        let a = random.matrix::<X, X>();
+        let size = a.abs().max() * (X as f64).sqrt();
+        let (q, r) = (random.matrix::<X, X>(), random.matrix::<U, U>());
+        Self {
+            a: a * (growth / size),
+            b: random.matrix(),
+            q: q * q.transpose(),
+            r: r * r.transpose() + SMatrix::identity() * 0.01,
+        }
+    }
+
+    fn lqr(&self) -> Result<Lqr<f64, X, U>, Error> {
+        lqr(&self.a, &self.b, &self.q, &self.r)
+    }
+
+    /// The right side of the Riccati equation, by nalgebra's inverse.
+    fn right_side(&self, p: &SMatrix<f64, X, X>) -> SMatrix<f64, X, X> {
+        let Self { a, b, q, r } = self;
+        let inner = to_dynamic(&(r + b.transpose() * p * b));
+        let coupling = b.transpose() * p * a;
+        let gain = inner.try_inverse().expect("positive definite") * to_dynamic(&coupling);
+        let lowered = to_dynamic(&coupling.transpose()) * gain;
+        a.transpose() * p * a + q - SMatrix::from_fn(|row, column| lowered[(row, column)])
+    }
+
+    /// The largest eigenvalue of the closed loop, as a magnitude.
+    fn radius(&self, regulator: &Lqr<f64, X, U>) -> f64 {
+        let eigenvalues = to_dynamic(&(self.a - self.b * regulator.gain)).complex_eigenvalues();
+        eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max)
+    }
+}
+
+fn to_dynamic<const R: usize, const C: usize>(m: &SMatrix<f64, R, C>) -> DMatrix<f64> {
+    DMatrix::from_column_slice(R, C, m.as_slice())
+}
+
+fn check<const X: usize, const U: usize>() {
+    let (mut largest, mut unstable) = (0.0f64, 0);
+    for seed in 0..40 {
+        let problem = Problem::<X, U>::random(seed, 3.0 * (seed % 4) as f64 / 3.0);
+        let regulator = problem.lqr().expect("stabilizable");
+        let p = regulator.cost;
+        // A rounding error E of P changes the residual by Cᵀ E C − E, with the closed loop C.
+        let closed = (problem.a - problem.b * regulator.gain).norm();
+        let off = (problem.right_side(&p) - p).abs().max() / p.abs().max();
+        let tolerance = 1e-14 * (2.0 + closed * closed);
+        assert!(off < tolerance, "seed {seed}: residual {off:e} of {tolerance:e}");
+        assert_eq!(p, p.transpose());
+        let radius = problem.radius(&regulator);
+        assert!(radius < 1.0, "seed {seed}: {radius}");
+        let open = to_dynamic(&problem.a).complex_eigenvalues();
+        unstable += usize::from(open.iter().any(|value| value.norm() > 1.0));
+        largest = largest.max(off / tolerance * 1e-14);
+    }
+    assert!(unstable >= 5, "only {unstable} systems are unstable");
+    println!(
+        "{X} states, {U} inputs: residual {largest:.1e} (1 + C²), {unstable} of 40 are unstable"
+    );
+}
+
+#[test]
+fn the_riccati_equation_holds_and_the_closed_loop_is_stable() {
+    check::<1, 1>();
+    check::<2, 1>();
+    check::<4, 2>();
+    check::<6, 2>();
+    check::<8, 3>();
+}
+
+/// The scalar equation p = a² p r / (r + p) + q with b = 1 is quadratic.
+#[test]
+fn a_scalar_system_has_its_closed_form() -> Result<(), Error> {
+    for (a, q, r) in [(1.1f64, 1.0, 1.0), (0.5, 2.0, 0.1), (1.0, 1e-8, 1.0), (30.0, 1.0, 100.0)] {
+        let half: f64 = 0.5 * (q + (a * a - 1.0) * r);
+        let p = half + (half * half + q * r).sqrt();
+        let found = lqr(&Matrix1::new(a), &Matrix1::new(1.0), &Matrix1::new(q), &Matrix1::new(r))?;
+        let gain = a * p / (r + p);
+        // For a = 1 the cost is the small difference of the equation's terms: half the digits of q / p are lost.
+        assert!((found.cost.x / p - 1.0).abs() < 1e-11, "{} {p}", found.cost.x);
+        assert!((found.gain.x / gain - 1.0).abs() < 1e-11, "{} {gain}", found.gain.x);
+    }
+    Ok(())
+}
+
+/// A mass that a force moves, sampled ever faster: the gain tends to that of continuous time, which is
+/// √(q/r) and √(2 √(q/r)) for a weight q of the position (Bryson and Ho, *Applied Optimal Control*, chapter 5).
+#[test]
+fn fast_sampling_has_the_gain_of_continuous_time() -> Result<(), Error> {
+    let expected = [2.0f64, 2.0];
+    for h in [1e-2, 1e-3, 1e-4, 1e-5] {
+        let a = Matrix2::new(1.0, h, 0.0, 1.0);
+        let b = Vector2::new(0.5 * h * h, h);
+        let q = Matrix2::new(4.0 * h, 0.0, 0.0, 0.0);
+        let gain = lqr(&a, &b, &q, &Matrix1::new(h))?.gain;
+        for (found, expected) in gain.iter().zip(expected) {
+            let off = (found - expected).abs();
+            assert!(off < 2.5 * h && (h < 1e-4 || off > 0.5 * h), "{h}: {found} is off by {off:e}");
+        }
+    }
+    Ok(())
+}
+
+/// The cost over n steps, by the recursion from the end, tends to the cost of all steps.
+#[test]
+fn the_recursion_over_many_steps_tends_to_the_cost() {
+    for seed in 0..20 {
+        let problem = Problem::<4, 1>::random(seed, 2.0);
+        let cost = problem.lqr().expect("stabilizable").cost;
+        // The recursion does not keep the symmetry by itself.
+        let recursion = (0..2000).fold(problem.q, |p, _| {
+            let next = problem.right_side(&p);
+            (next + next.transpose()) * 0.5
+        });
+        let off = (recursion - cost).abs().max() / cost.abs().max();
+        assert!(off < 1e-10, "seed {seed}: {off:e}");
+    }
+}
+
+/// No other gain has a smaller cost: the cost of a trajectory is xᵀ P x, and more with a gain that is changed.
+#[test]
+fn a_trajectory_has_the_cost_and_other_gains_have_more() -> Result<(), Error> {
+    let mut random = Random::new(7);
+    let problem = Problem::<4, 2>::random(3, 1.5);
+    let regulator = problem.lqr()?;
+    let start = random.matrix::<4, 1>();
+    let cost = |gain: &SMatrix<f64, 2, 4>| {
+        let (mut x, mut cost) = (start, 0.0);
+        for _ in 0..2000 {
+            let u = -(gain * x);
+            cost += (x.transpose() * problem.q * x + u.transpose() * problem.r * u).x;
+            x = problem.a * x + problem.b * u;
+        }
+        cost
+    };
+    let least = (start.transpose() * regulator.cost * start).x;
+    assert!((cost(&regulator.gain) / least - 1.0).abs() < 1e-12);
+    for _ in 0..20 {
+        let other = regulator.gain + random.matrix::<2, 4>() * 1e-2;
+        assert!(cost(&other) > least * (1.0 + 1e-9));
+    }
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_stabilized_is_an_error() {
+    let (q, r) = (Matrix2::identity(), Matrix1::new(1.0));
+    let refused = |a: Matrix2<f64>, b: Vector2<f64>, q: Matrix2<f64>| lqr(&a, &b, &q, &r).err();
+    let out_of_reach = Vector2::new(1.0, 0.0);
+    for growth in [1.0, 1.01, 3.0, -1.0, -2.0] {
+        let a = Matrix2::new(0.5, 0.0, 0.0, growth);
+        assert_eq!(refused(a, out_of_reach, q), Some(Error::NotStabilizable), "{growth}");
+        // Within reach, but without a weight.
+        let weight = Matrix2::new(1.0, 0.0, 0.0, 0.0);
+        assert_eq!(refused(a, Vector2::new(1.0, 1.0), weight), Some(Error::NotStabilizable));
+        assert_eq!(refused(a, Vector2::new(1.0, 1.0), q), None);
+    }
+    // What decays by itself need not be within reach, nor have a weight.
+    let decaying = Matrix2::new(0.5, 0.0, 0.0, 0.9);
+    assert_eq!(refused(decaying, out_of_reach, q), None);
+    assert_eq!(refused(decaying, Vector2::zeros(), Matrix2::zeros()), None);
+}
+
+#[test]
+fn weights_and_matrices_are_checked() {
+    let (a, b, q) = (Matrix2::identity(), Vector2::new(1.0, 2.0), Matrix2::identity());
+    let refused = Error::InvalidParameter { name: "r", reason: "must be positive definite" };
+    for r in [0.0, -1.0] {
+        assert_eq!(lqr(&a, &b, &q, &Matrix1::new(r)).err(), Some(refused));
+    }
+    for wrong in [f64::NAN, f64::INFINITY] {
+        let one = Matrix1::new(1.0);
+        assert_eq!(lqr(&(a * wrong), &b, &q, &one).err(), Some(Error::NotFinite));
+        assert_eq!(lqr(&a, &(b * wrong), &q, &one).err(), Some(Error::NotFinite));
+        assert_eq!(lqr(&a, &b, &(q * wrong), &one).err(), Some(Error::NotFinite));
+        assert_eq!(lqr(&a, &b, &q, &(one * wrong)).err(), Some(Error::NotFinite));
+    }
+}
+
+#[test]
+fn single_precision_has_its_own_accuracy() {
+    for seed in 0..40 {
+        let problem = Problem::<4, 2>::random(seed, 1.5);
+        let expected = problem.lqr().expect("stabilizable");
+        let Problem { a, b, q, r } = &problem;
+        let found = lqr::<f32, 4, 2>(&converted(a), &converted(b), &converted(q), &converted(r));
+        let gain = found.expect("stabilizable").gain.map(f64::from);
+        let off = (gain - expected.gain).abs().max() / expected.gain.abs().max();
+        assert!(off < 1e-4, "seed {seed}: off by {off:e}");
+    }
+}
+
+#[cfg(feature = "wide")]
+#[test]
+fn lanes_have_their_own_regulators() -> Result<(), Error> {
+    use mstmm_runtime::wide::f64x4;
+    let problems = [1, 2, 3, 4].map(|seed| Problem::<4, 1>::random(seed, seed as f64 / 2.0));
+    fn lanes<const R: usize, const C: usize>(
+        of: impl Fn(usize) -> SMatrix<f64, R, C>,
+    ) -> SMatrix<f64x4, R, C> {
+        let of = [0, 1, 2, 3].map(of);
+        SMatrix::from_fn(|row, column| f64x4::new(of.each_ref().map(|m| m[(row, column)])))
+    }
+    let found = lqr(
+        &lanes(|lane| problems[lane].a),
+        &lanes(|lane| problems[lane].b),
+        &lanes(|lane| problems[lane].q),
+        &lanes(|lane| problems[lane].r),
+    )?;
+    for (lane, problem) in problems.iter().enumerate() {
+        let expected = problem.lqr()?;
+        let gain = found.gain.map(|x| x.to_array()[lane]);
+        // All lanes take as many doublings as the slowest.
+        assert!((gain - expected.gain).abs().max() < 1e-12 * expected.gain.abs().max());
+    }
+    Ok(())
+}
