@@ -1,8 +1,10 @@
 //! Steps as a real-time loop calls them, compiled separately: `.ci/run` searches their assembly for
 //! panics and allocations.
 
+use mstmm::linear::lqr;
+use mstmm::nalgebra::SMatrix;
 use mstmm::prelude::*;
-use mstmm::{Dopri5, Error};
+use mstmm::{Dopri5, Dual, Error};
 
 mstmm_chain! {
     /// Three unit cubes on ball-and-socket hinges (Rui et al. 2016, section 4.1).
@@ -188,6 +190,27 @@ pub fn walker(
 ) -> Result<(), Error> {
     let [left_knee, right_knee] = knees;
     rk4.step(chain, state, |_, _| WalkerInputs { left_knee, right_knee, ..chain.no_inputs() })
+}
+
+/// One step of the satellite with its derivatives by the held torque and the payload.
+#[inline(never)]
+pub fn satellite_dual(
+    chain: &Satellite<Dual<f64, 2>>,
+    rk4: &mut Rk4<Satellite<Dual<f64, 2>>>,
+    state: &mut SatelliteState<Dual<f64, 2>>,
+    torque: Dual<f64, 2>,
+) -> Result<(), Error> {
+    rk4.step_held(chain, state, &SatelliteInputs { joint: torque })
+}
+
+/// The gain of a regulator for two coordinates, their rates and an input.
+#[inline(never)]
+pub fn regulator(
+    a: &SMatrix<f32, 4, 4>,
+    b: &SMatrix<f32, 4, 1>,
+    weights: &SMatrix<f32, 4, 4>,
+) -> Result<SMatrix<f32, 1, 4>, Error> {
+    Ok(lqr(a, b, weights, &SMatrix::repeat(1.0))?.gain)
 }
 
 /// All results at all connection points of the walker.
