@@ -2,6 +2,7 @@
 
 mod graph;
 mod node;
+mod operands;
 mod rules;
 
 pub use graph::{Graph, Stage};

@@ -1,9 +1,11 @@
 //! A function of a chain: edges into the chain's graph, with the loops, outputs and names that they belong to. Passes map
 //! a function to a function.
 
+mod dependence;
 mod tracer;
 mod unknowns;
 
+pub use dependence::{Dependence, SymbolDependences};
 pub use tracer::LoopTracer;
 pub use unknowns::{Unknown, Unknowns};
 

@@ -2,7 +2,7 @@
 
 use super::Live;
 use crate::expr::{Edge, Graph, Node, NodeId};
-use crate::function::{Function, Loop};
+use crate::function::{Dependence, Function, Loop, SymbolDependences};
 use crate::ids::{IdRange, IdVec, RepeatId, SymbolId, declare_id};
 
 declare_id! {
@@ -42,18 +42,10 @@ impl Regions {
             return Regions { loops, dependences: Vec::new() };
         }
         let graph = function.graph;
-        let carried = CarriedUnknowns::of(&loops, function.unknowns.count());
+        let symbols = SymbolDependences::of(function.unknowns, loops.iter());
         let mut dependences = vec![Dependence::NONE; graph.len()];
         for &id in live.nodes() {
-            dependences[id as usize] = match graph.symbol_of(id) {
-                Some(symbol) => match function.unknowns.get(symbol) {
-                    Some(unknown) => Dependence { repeat: unknown.repeat, earliest: 0 },
-                    None => carried.dependence(symbol),
-                },
-                None => graph.node(id).operands().fold(Dependence::NONE, |sum, operand| {
-                    sum.and(dependences[operand.node() as usize])
-                }),
-            };
+            dependences[id as usize] = symbols.node(graph, id, &dependences);
         }
         Regions { loops, dependences }
     }
@@ -82,53 +74,6 @@ impl Regions {
             Some((id, _)) => Region::Loop(id),
             None => bug!("no loop is left over a repeated part"),
         }
-    }
-}
-
-/// What a value depends on.
-#[derive(Clone, Copy, Debug)]
-struct Dependence {
-    /// The part of which the value depends on a single repetition.
-    repeat: Option<RepeatId>,
-    /// The number of loops that must run before the value can be computed.
-    earliest: usize,
-}
-
-impl Dependence {
-    const NONE: Dependence = Dependence { repeat: None, earliest: 0 };
-
-    fn and(self, other: Dependence) -> Dependence {
-        let earliest = self.earliest.max(other.earliest);
-        Dependence { repeat: self.repeat.or(other.repeat), earliest }
-    }
-}
-
-/// The dependences of loop-carried values.
-struct CarriedUnknowns {
-    /// The first symbol of a loop-carried value.
-    first: usize,
-    dependences: Vec<Dependence>,
-}
-
-impl CarriedUnknowns {
-    fn of(loops: &IdVec<LoopId, Loop>, first: usize) -> Self {
-        let last =
-            loops.iter().flat_map(|loop_| &loop_.carries).map(|carry| carry.exit.index()).max();
-        let mut dependences = vec![Dependence::NONE; last.map_or(0, |last| last + 1 - first)];
-        for (id, loop_) in loops.enumerate() {
-            for carry in &loop_.carries {
-                dependences[carry.phi.index() - first] =
-                    Dependence { repeat: Some(loop_.repeat), earliest: id.index() };
-                dependences[carry.exit.index() - first] =
-                    Dependence { repeat: None, earliest: id.index() + 1 };
-            }
-        }
-        CarriedUnknowns { first, dependences }
-    }
-
-    /// Returns the dependence of a loop-carried value; none if no loop carries the symbol any more.
-    fn dependence(&self, symbol: SymbolId) -> Dependence {
-        self.dependences.get(symbol.index() - self.first).copied().unwrap_or(Dependence::NONE)
     }
 }
 

@@ -1,8 +1,7 @@
 //! The images of nodes when formulas are rewritten.
 
-use crate::expr::{Edge, Expr, Graph, Node, NodeId};
+use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::function::Function;
-use crate::math::Scalar;
 
 /// The image of every node that a function needs.
 #[derive(Clone, Debug)]
@@ -36,18 +35,6 @@ impl Images {
 
     /// Applies the operation of a node to the images of its operands.
     pub(super) fn over_images<'g>(&self, graph: &'g Graph, id: NodeId) -> Expr<'g> {
-        let go = |edge: Edge| self.expr(graph, edge);
-        match graph.node(id) {
-            Node::Number(_) | Node::Symbol(_) => graph.expr(Edge::to(id)),
-            Node::Sum(a, b) => go(a) + go(b),
-            Node::Product(a, b) => go(a) * go(b),
-            Node::Recip(a) => go(a).recip(),
-            Node::Sqrt(a) => go(a).sqrt(),
-            Node::Sin(a) => go(a).sin_cos().0,
-            Node::Cos(a) => go(a).sin_cos().1,
-            Node::CopySign(a, b) => go(a).copysign(go(b)),
-            Node::Atan2(a, b) => go(a).atan2(go(b)),
-            Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
-        }
+        graph.with_operands(id, |edge| self.expr(graph, edge))
     }
 }
