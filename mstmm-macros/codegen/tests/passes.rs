@@ -4,21 +4,17 @@ mod common;
 
 use common::difference;
 use common::formulas::{NUMBERS, evaluated, random_function, random_values, unknowns};
-use common::interpreter::{Arrays, Failed, run};
-use mstmm_codegen::expr::{Graph, Stage};
-use mstmm_codegen::function::{Function, Output, Written};
-use mstmm_codegen::ids::RepeatId;
+use common::interpreter::Failed;
+use common::slots::computed;
+use mstmm_codegen::expr::Graph;
+use mstmm_codegen::function::Function;
 use mstmm_codegen::passes::{
     Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
     list_schedule, lower, reassociate,
 };
-use mstmm_codegen::program::{
-    Argument, ArrayLayout, ArrayRole, Failure, OutputId, Procedure, Program,
-};
+use mstmm_codegen::program::{Failure, Procedure, Program};
 use mstmm_reference::Random;
-use std::collections::HashMap;
 
-type Values = HashMap<Argument, Vec<f64>>;
 type Pass = for<'g> fn(Function<'g>) -> Function<'g>;
 
 /// The rounding error of a few dozen operations on values of up to some thousands.
@@ -38,45 +34,6 @@ fn same(one: &Result<Vec<f64>, Failed>, other: &Result<Vec<f64>, Failed>, most: 
         (Ok(one), Ok(other)) => difference(one, other) <= most,
         (one, other) => one == other,
     }
-}
-
-/// Returns the function that derives the slots of another function.
-fn setup_function<'g>(function: &Function<'g>, setup: &SetupSlots) -> Function<'g> {
-    let parts = [None, Some(RepeatId(0)), Some(RepeatId(1))];
-    let output = |part: Option<RepeatId>| {
-        let values: Vec<_> = setup.values(part).into_iter().map(|(_, edge)| edge).collect();
-        let repeated = part.map(|part| (part, function.unknowns.repetitions(part)));
-        let layout = ArrayLayout::of([(values.len(), repeated)]);
-        Output { id: OutputId { name: "slots", part }, layout, values, written: Written::Together }
-    };
-    Function {
-        stage: Stage::Setup,
-        loops: Vec::new(),
-        pivots: Vec::new(),
-        outputs: parts.map(output).into(),
-        ..function.clone()
-    }
-}
-
-/// Runs the setup and a procedure, and returns the results.
-fn computed(
-    function: &Function,
-    (procedure, setup): (&Procedure, &SetupSlots),
-    values: &Values,
-) -> Result<Vec<f64>, Failed> {
-    let mut arrays = Arrays { arguments: values.clone(), ..Arrays::default() };
-    arrays.arguments.insert(Argument::Time, vec![0.0]);
-    let derive = setup_function(function, setup);
-    let program = linearize(&derive, &mut SetupSlots::default());
-    let derive = lower(program, &derive, None, &SetupSlots::default());
-    let mut derived = arrays.clone();
-    run(&derive, &mut derived)?;
-    for array in &derive.arrays {
-        if let ArrayRole::Result(id) = array.role {
-            arrays.arguments.insert(Argument::Slots(id.part), derived.result(id));
-        }
-    }
-    run(procedure, &mut arrays).map(|()| arrays.result(NUMBERS))
 }
 
 fn lowered(

@@ -1,11 +1,15 @@
 //! A function of a chain: edges into the chain's graph, with the loops, outputs and names that they belong to. Passes map
 //! a function to a function.
 
+mod adjoint;
 mod dependence;
+mod substitute;
 mod tracer;
 mod unknowns;
 
+pub use adjoint::gradient;
 pub use dependence::{Dependence, SymbolDependences};
+pub use substitute::substitute;
 pub use tracer::LoopTracer;
 pub use unknowns::{Unknown, Unknowns};
 

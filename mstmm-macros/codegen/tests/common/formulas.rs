@@ -1,12 +1,13 @@
 //! Random functions with loops, and their direct evaluation.
 
 use super::interpreter::{Failed, Judge};
-use mstmm_codegen::expr::{Edge, Expr, Graph, Node, Stage};
+use mstmm_codegen::expr::{Edge, Expr, Graph, Node, NodeId, Stage};
 use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns, Written};
 use mstmm_codegen::ids::{ParameterId, RepeatId, SymbolId};
 use mstmm_codegen::math::Scalar;
 use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
 use mstmm_reference::Random;
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 /// The output of random functions, which must be finite.
@@ -146,11 +147,12 @@ pub fn formula<'g>(random: &mut Random, unknowns: &[Expr<'g>], depth: usize) -> 
 }
 
 /// Evaluates a function directly from its formulas; returns its results or the reason of a failure.
-pub fn evaluated(
+pub fn evaluated<S: Judge>(
     function: &Function,
-    values: &HashMap<Argument, Vec<f64>>,
-) -> Result<Vec<f64>, Failed> {
-    let mut direct = Direct { function, values, phis: HashMap::new(), exits: HashMap::new() };
+    values: &HashMap<Argument, Vec<S>>,
+) -> Result<Vec<S>, Failed> {
+    let (phis, exits, known) = (HashMap::new(), HashMap::new(), RefCell::default());
+    let mut direct = Direct { function, values, phis, exits, known };
     for one in &function.loops {
         direct.one_loop(one);
     }
@@ -174,27 +176,29 @@ pub fn evaluated(
     if results.iter().all(|x| x.is_finite()) { Ok(results) } else { Err(Failed::NotFinite) }
 }
 
-struct Direct<'a> {
+struct Direct<'a, S> {
     function: &'a Function<'a>,
-    values: &'a HashMap<Argument, Vec<f64>>,
+    values: &'a HashMap<Argument, Vec<S>>,
     /// The values of phis in all repetitions of a part.
-    phis: HashMap<SymbolId, (RepeatId, Vec<f64>)>,
-    exits: HashMap<SymbolId, f64>,
+    phis: HashMap<SymbolId, (RepeatId, Vec<S>)>,
+    exits: HashMap<SymbolId, S>,
+    /// The values of nodes in repetitions. A loop carries no symbol of another, so they are final.
+    known: RefCell<HashMap<(NodeId, usize), S>>,
 }
 
-impl Direct<'_> {
+impl<S: Judge> Direct<'_, S> {
     fn repetitions(&self, part: Option<RepeatId>) -> usize {
         part.map_or(1, |part| self.function.unknowns.repetitions(part))
     }
 
     fn one_loop(&mut self, one: &Loop) {
         let count = self.repetitions(Some(one.repeat));
-        let mut current: Vec<f64> =
+        let mut current: Vec<S> =
             one.carries.iter().map(|carry| self.value(carry.init, 0)).collect();
         for step in 0..count {
             let repetition = if one.inward { count - 1 - step } else { step };
             for (carry, value) in one.carries.iter().zip(&current) {
-                let nothing = || (one.repeat, vec![f64::NAN; count]);
+                let nothing = || (one.repeat, vec![S::number(f64::NAN); count]);
                 self.phis.entry(carry.phi).or_insert_with(nothing).1[repetition] = *value;
             }
             let next = one.carries.iter().map(|carry| self.value(carry.next, repetition));
@@ -214,25 +218,32 @@ impl Direct<'_> {
         }
     }
 
-    fn value(&self, edge: Edge, repetition: usize) -> f64 {
+    fn value(&self, edge: Edge, repetition: usize) -> S {
+        let key = (edge.node(), repetition);
+        let known = self.known.borrow().get(&key).copied();
+        let plain = known.unwrap_or_else(|| self.node(edge.node(), repetition));
+        self.known.borrow_mut().insert(key, plain);
+        if edge.is_negative() { -plain } else { plain }
+    }
+
+    fn node(&self, id: NodeId, repetition: usize) -> S {
         let go = |edge| self.value(edge, repetition);
-        let plain = match self.function.graph.node(edge.node()) {
-            Node::Number(bits) => f64::from_bits(bits),
+        match self.function.graph.node(id) {
+            Node::Number(bits) => S::number(f64::from_bits(bits)),
             Node::Symbol(symbol) => self.symbol(symbol, repetition),
             Node::Sum(a, b) => go(a) + go(b),
             Node::Product(a, b) => go(a) * go(b),
             Node::Recip(a) => go(a).recip(),
             Node::Sqrt(a) => go(a).sqrt(),
-            Node::Sin(a) => libm::sin(go(a)),
-            Node::Cos(a) => libm::cos(go(a)),
+            Node::Sin(a) => go(a).sine_and_cosine().0,
+            Node::Cos(a) => go(a).sine_and_cosine().1,
             Node::CopySign(a, b) => go(a).copysign(go(b)),
-            Node::Atan2(a, b) => libm::atan2(go(a), go(b)),
+            Node::Atan2(a, b) => go(a).angle(go(b)),
             Node::RecipAbove(a, b) => go(a).recip_above(go(b)),
-        };
-        if edge.is_negative() { -plain } else { plain }
+        }
     }
 
-    fn symbol(&self, symbol: SymbolId, repetition: usize) -> f64 {
+    fn symbol(&self, symbol: SymbolId, repetition: usize) -> S {
         let Some(unknown) = self.function.unknowns.get(symbol) else {
             let of_loop = self.phis.get(&symbol).map(|(_, values)| values[repetition]);
             return of_loop.unwrap_or_else(|| self.exits[&symbol]);

@@ -6,6 +6,7 @@ pub mod double_double;
 pub mod drives;
 pub mod folded;
 pub mod formulas;
+pub mod functions;
 pub mod given;
 pub mod interpreter;
 pub mod lifted;
@@ -13,6 +14,7 @@ pub mod paper;
 pub mod paper_tree;
 pub mod points;
 pub mod scalars;
+pub mod slots;
 pub mod twins;
 
 use mstmm_codegen::equations::{
