@@ -2,6 +2,7 @@
 //!
 //! They are not part of the public interface and may change with every version.
 
+mod columns;
 mod linkage;
 mod not_asked;
 
@@ -10,6 +11,7 @@ pub use arrayvec::ArrayVec as LoopStore;
 
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
+pub use columns::columns;
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
 
@@ -359,4 +361,12 @@ pub fn cos(value: f64) -> f64 {
 #[inline]
 pub fn vector<T: Scalar, const N: usize>(entries: [T; N]) -> nalgebra::SVector<T, N> {
     nalgebra::SVector::from(entries)
+}
+
+/// Returns nalgebra's matrix with these columns.
+#[inline]
+pub fn matrix<T: Scalar, const R: usize, const C: usize>(
+    columns: [[T; R]; C],
+) -> nalgebra::SMatrix<T, R, C> {
+    nalgebra::SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
 }

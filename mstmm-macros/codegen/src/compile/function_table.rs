@@ -23,7 +23,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 17] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 21] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -131,6 +131,30 @@ pub(super) static FUNCTIONS: [FunctionSpec; 17] = [
         when: |chain, _, _| asks(chain, Request::Push),
         trace: |chain| chain.push(),
         checks: checked(outputs::CHANGE),
+    },
+    FunctionSpec {
+        answer: Answer::Pull,
+        when: |chain, _, _| asks(chain, Request::Pull),
+        trace: |chain| chain.pull(),
+        checks: checked(outputs::BY_COORDINATES),
+    },
+    FunctionSpec {
+        answer: Answer::Regressor,
+        when: |chain, _, _| asks(chain, Request::Regressor) && chain.repeats.is_empty(),
+        trace: |chain| chain.regressor(),
+        checks: checked(outputs::REGRESSOR),
+    },
+    FunctionSpec {
+        answer: Answer::RegressorTimes,
+        when: |chain, _, _| asks(chain, Request::Regressor),
+        trace: |chain| chain.regressor_times(),
+        checks: checked(outputs::PRODUCT),
+    },
+    FunctionSpec {
+        answer: Answer::DynamicParameters,
+        when: |chain, _, _| asks(chain, Request::Regressor),
+        trace: |chain| chain.dynamic_parameters(),
+        checks: None,
     },
 ];
 

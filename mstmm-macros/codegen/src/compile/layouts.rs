@@ -2,7 +2,7 @@
 
 use super::PointStorage;
 use crate::ids::{HingeId, RepeatId};
-use crate::model::{Chain, ConnectionPoints, Input, Layout};
+use crate::model::{Chain, ConnectionPoints, DynamicParameter, Input, Layout};
 use crate::program::ArrayLayout;
 
 /// Returns the layout of items, each with its number of entries and its repeated part.
@@ -54,6 +54,15 @@ pub fn parameters(chain: &Chain) -> ArrayLayout {
 pub fn inputs(chain: &Chain, layout: &Layout) -> ArrayLayout {
     let inputs = layout.inputs.iter();
     of(chain, inputs.map(|input| (input.range.len(), chain.repeat_of_input(input.what))))
+}
+
+/// Returns the layout of the dynamic parameters.
+pub fn dynamic_parameters(chain: &Chain) -> ArrayLayout {
+    let repeat = |parameter: DynamicParameter| match parameter {
+        DynamicParameter::Inertial(body, _) => chain.repeat_of_body(body),
+        DynamicParameter::Passive(hinge, ..) => chain.repeat_of_hinge(hinge),
+    };
+    of(chain, chain.dynamic_parameters().into_iter().map(|parameter| (1, repeat(parameter))))
 }
 
 /// Returns the layout of an input.

@@ -35,6 +35,18 @@ pub const BIAS_EFFORTS: OutputId = OutputId::new("bias_efforts");
 pub const PRODUCT: OutputId = OutputId::new("product");
 /// The derivative of the accelerations along a direction, in the order of `v`.
 pub const CHANGE: OutputId = OutputId::new("change");
+/// The derivatives by the coordinates, along the rates.
+pub const BY_COORDINATES: OutputId = OutputId::new("by_coordinates");
+/// The derivatives by the rates.
+pub const BY_RATES: OutputId = OutputId::new("by_rates");
+/// The derivatives by the inputs.
+pub const BY_INPUTS: OutputId = OutputId::new("by_inputs");
+/// The derivatives by the parameters.
+pub const BY_PARAMETERS: OutputId = OutputId::new("by_parameters");
+/// The regressor, column by column.
+pub const REGRESSOR: OutputId = OutputId::new("regressor");
+/// The dynamic parameters.
+pub const DYNAMIC_PARAMETERS: OutputId = OutputId::new("dynamic_parameters");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

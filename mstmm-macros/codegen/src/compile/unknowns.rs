@@ -52,6 +52,8 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
         let (layout, name) = match given {
             Given::Accelerations => (layouts::rates(chain, layout), "acceleration"),
             Given::Vector => (layouts::rates(chain, layout), "vector"),
+            Given::DynamicParameters => (layouts::dynamic_parameters(chain), "dynamic_parameter"),
+            Given::VirtualRates => (layouts::rates(chain, layout), "virtual_rate"),
             Given::CoordinateDirection => (layouts::rates(chain, layout), "coordinate_direction"),
             Given::RateDirection => (layouts::rates(chain, layout), "rate_direction"),
             Given::InputDirection => (layouts::inputs(chain, layout), "input_direction"),
@@ -66,10 +68,12 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
 /// Returns the vectors that the functions of these requests are given, each once.
 fn given(requests: &[Request]) -> Vec<Given> {
     let of_request = |request: &Request| match request {
-        Request::InverseDynamics | Request::Regressor | Request::Derivatives => {
-            &[Given::Accelerations][..]
+        Request::InverseDynamics | Request::Derivatives => &[Given::Accelerations][..],
+        Request::Regressor => &[Given::Accelerations, Given::DynamicParameters],
+        Request::MassMatrix => &[Given::Vector],
+        Request::Pull => {
+            &[Given::Vector, Given::Accelerations, Given::VirtualRates, Given::CoordinateDirection]
         }
-        Request::MassMatrix | Request::Pull => &[Given::Vector],
         Request::Push => &[
             Given::CoordinateDirection,
             Given::RateDirection,

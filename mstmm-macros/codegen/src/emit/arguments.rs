@@ -100,6 +100,8 @@ pub fn given(given: Given) -> TokenStream {
     match given {
         Given::Accelerations => quote!((*accelerations_)),
         Given::Vector => quote!((*vector_)),
+        Given::DynamicParameters => quote!((*parameters_)),
+        Given::VirtualRates => bug!("virtual rates are not given"),
         Given::CoordinateDirection => quote!(direction_.coordinates),
         Given::RateDirection => quote!(direction_.rates),
         Given::InputDirection => quote!(direction_.inputs),

@@ -16,6 +16,8 @@ pub enum Destination {
     Array(TokenStream),
     /// The caller's vector.
     Vector(TokenStream),
+    /// The caller's matrix with this number of rows, by columns.
+    Matrix(TokenStream, usize),
     /// The caller's fields, one per entry.
     Fields(Vec<TokenStream>),
     /// A new array.
@@ -122,7 +124,7 @@ impl Printer<'_> {
     pub fn is_filled(&self, array: ArrayId) -> bool {
         let is_array = match self.destination(array) {
             Destination::Array(_) | Destination::Vector(_) | Destination::New(_) => true,
-            Destination::Fields(_) | Destination::Closure => false,
+            Destination::Matrix(..) | Destination::Fields(_) | Destination::Closure => false,
         };
         let segments = &self.procedure.arrays[array].layout.segments;
         let has_repeated = segments.iter().any(|segment| segment.repeat.is_some());

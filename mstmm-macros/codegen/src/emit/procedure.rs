@@ -96,17 +96,22 @@ impl Printer<'_> {
                     }
                     _ => quote!(let mut #name = [T::constant(0.0); #total];),
                 });
-            } else if let Destination::Array(place) = self.destination(id)
-                && let Some(pattern) = self.entries(id)
-            {
-                statements.extend(quote!(let #pattern = &mut #place;));
+            } else if let Some(names) = self.entries(id) {
+                statements.extend(match self.destination(id) {
+                    Destination::Array(place) => quote!(let [#(#names),*] = &mut #place;),
+                    Destination::Matrix(place, rows) => {
+                        let columns = names.chunks(*rows).map(|column| quote!([#(#column),*]));
+                        quote!(let [#(#columns),*] = &mut #place.data.0;)
+                    }
+                    _ => TokenStream::new(),
+                });
             }
         }
         statements
     }
 
-    /// Returns a pattern of the entries of an array that are written one by one, if there are any.
-    fn entries(&self, id: ArrayId) -> Option<TokenStream> {
+    /// Returns the patterns of the entries of an array that are written one by one, if there are any.
+    fn entries(&self, id: ArrayId) -> Option<Vec<TokenStream>> {
         let mut names = vec![quote!(_); self.procedure.arrays[id].layout.entries()];
         let mut any = false;
         for step in &self.procedure.body {
@@ -118,7 +123,7 @@ impl Printer<'_> {
                 (names[to.first], any) = (name.to_token_stream(), true);
             }
         }
-        any.then(|| quote!([#(#names),*]))
+        any.then_some(names)
     }
 
     /// Returns whether a store writes a whole array.
@@ -139,7 +144,11 @@ impl Printer<'_> {
             Destination::Array(place) if self.is_whole(to, values) => {
                 quote!(#place = [#(#operands),*];)
             }
-            Destination::Array(_) => {
+            Destination::Matrix(place, rows) if self.is_whole(to, values) => {
+                let columns = operands.chunks(*rows).map(|column| quote!([#(#column),*]));
+                quote!(#place.data.0 = [#(#columns),*];)
+            }
+            Destination::Array(_) | Destination::Matrix(..) => {
                 let name = entry(to);
                 quote!(*#name = #(#operands)*;)
             }

@@ -81,7 +81,7 @@ fn entries_of(cx: &EmitContext, (id, input): (InputId, &crate::model::Input)) ->
 }
 
 /// Returns one line for each item with the indices of its entries.
-fn documented(
+pub fn documented(
     head: &str,
     items: &[(String, usize)],
     layout: &crate::program::ArrayLayout,

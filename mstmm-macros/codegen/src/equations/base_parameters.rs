@@ -34,7 +34,8 @@ pub fn to_base_parameters<S: Scalar>(
 ) -> PerLink<OriginalInertia<S>> {
     let scales = |link: &LinkKinematics<S>| (link.mass, link.inertia.trace());
     let scales: Vec<(S, S)> = links.iter().map(scales).collect();
-    let inertias: PerLink<RigidInertia<S>> = links.iter().map(RigidInertia::of).collect();
+    let inertias: PerLink<RigidInertia<S>> =
+        links.iter().map(LinkKinematics::rigid_inertia).collect();
     let step = |index: LinkId, own: RigidInertia<S>, of_parent: &mut RigidInertia<S>| {
         let link = &links[index];
         let stays = context.layout.is_at_repeat_boundary(index) || link.parent.is_none();
@@ -104,15 +105,11 @@ fn rotation_axis<S: Scalar>(link: &LinkKinematics<S>) -> Option<usize> {
 }
 
 impl<S: Scalar> RigidInertia<S> {
-    pub(super) fn of(link: &LinkKinematics<S>) -> Self {
-        RigidInertia { mass: link.mass, first_moment: link.first_moment, inertia: link.inertia }
-    }
-
     pub(super) fn write_to(self, link: &mut LinkKinematics<S>) {
         (link.mass, link.first_moment, link.inertia) = (self.mass, self.first_moment, self.inertia);
     }
 
-    fn plus(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         RigidInertia {
             mass: self.mass + other.mass,
             first_moment: self.first_moment + other.first_moment,

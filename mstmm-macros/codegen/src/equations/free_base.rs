@@ -16,7 +16,7 @@
 //! `P`.
 
 use super::EvalContext;
-use super::kinematics::{LinkKinematics, RigidInertia, attachments};
+use super::kinematics::{LinkKinematics, attachments};
 use super::strategy;
 use super::sweep::PerLink;
 use crate::ids::LinkId;
@@ -73,7 +73,7 @@ fn move_to_child<S: Scalar>(
         base.part_to_work * (context.frame_of(from).1 - base.point)
     });
     base.point = base.point + base.part_to_work.transposed() * to_point;
-    RigidInertia::of(base).shifted_from(-to_point).write_to(base);
+    base.rigid_inertia().shifted_from(-to_point).write_to(base);
     // Loads need the position and the velocity of the point.
     base.hinge.arm = base.hinge.arm + base.hinge.to_parent.rotate(to_point);
     base.hinge.relative_velocity = base.hinge.relative_velocity.shifted_to(to_point);

@@ -223,13 +223,16 @@ pub(super) fn hinge_wrenches<S: Scalar>(
 }
 
 /// Returns `Sᵀ F`.
-fn along_rates<S: Scalar>(hinge: &HingeKinematics<S>, wrench: Wrench<S>) -> Vec<S> {
+pub(super) fn along_rates<S: Scalar>(hinge: &HingeKinematics<S>, wrench: Wrench<S>) -> Vec<S> {
     hinge.subspace.iter().map(|column| column.power(wrench)).collect()
 }
 
 /// Returns `τ_passive − H v̇`: the efforts along the rates of a hinge that its passive elements and its
 /// rotors supply.
-fn own_efforts<S: Scalar>(hinge: &HingeKinematics<S>, accelerations: Option<&[S]>) -> Vec<S> {
+pub(super) fn own_efforts<S: Scalar>(
+    hinge: &HingeKinematics<S>,
+    accelerations: Option<&[S]>,
+) -> Vec<S> {
     let passive = hinge.passives.efforts.iter();
     match accelerations {
         None => passive.copied().collect(),
@@ -241,7 +244,7 @@ fn own_efforts<S: Scalar>(hinge: &HingeKinematics<S>, accelerations: Option<&[S]
 }
 
 /// Returns the efforts at all free rates, from those of each hinge; zero for a hinge that has no link.
-fn by_rates<S: Scalar>(
+pub(super) fn by_rates<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
     wrenches: &PerLink<Wrench<S>>,

@@ -30,7 +30,7 @@ pub(super) fn values(chain: &Chain, seed: usize) -> SymbolValues<Number> {
 }
 
 /// Returns evenly spread numbers from 0 to 1: multiples of the golden ratio.
-fn low_discrepancy(number: usize, seed: usize) -> f64 {
+pub(super) fn low_discrepancy(number: usize, seed: usize) -> f64 {
     (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
 }
 

@@ -1,6 +1,7 @@
 //! Numerical checks of a chain: whether every hinge moves a body with inertia, how many degrees of
 //! freedom a closed chain has, and the pose at the start.
 
+mod base_parameters;
 mod dry_run;
 
 use crate::diag::Diagnostics;
@@ -8,8 +9,8 @@ use crate::equations::{self, LoopReaction, SymbolValues, Trace};
 use crate::ids::{IdVec, PointId};
 use crate::math::{PIVOT_ULPS, Vec3};
 use crate::model::{
-    Chain, ClosureRank, ConnectionPoints, Drive, Element, ElementPoints, Hinge, HingeId, Role,
-    Source,
+    Chain, ClosureRank, ConnectionPoints, Drive, Element, ElementPoints, Hinge, HingeId, Request,
+    Role, Source,
 };
 use dry_run::{Configuration, DryRun, Number, values};
 use proc_macro2::Ident;
@@ -40,6 +41,9 @@ pub struct Findings {
     /// The largest mass divided by the smallest, with parameters at their defaults; `None` if
     /// masses are Rust constants.
     pub mass_ratio: Option<f64>,
+    /// The indices of the dynamic parameters that motions can identify, if the chain has a regressor and its numbers are
+    /// known.
+    pub base_parameters: Vec<usize>,
     /// The chain at its start, closed if it is a closed chain; `None` if it contains Rust
     /// constants.
     pub start: Option<Drawing>,
@@ -102,7 +106,9 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     }
     let mass_ratio = Some(dry_run.mass_ratio());
     let start = Some(dry_run.drawing(poses));
-    Findings { held_by_closure, closure_rank, mobility, mass_ratio, start }
+    let has_regressor = chain.requests.contains(&Request::Regressor) && chain.repeats.is_empty();
+    let base_parameters = if has_regressor { dry_run.base_parameters() } else { Vec::new() };
+    Findings { held_by_closure, closure_rank, mobility, mass_ratio, base_parameters, start }
 }
 
 impl DryRun {

@@ -37,12 +37,20 @@ pub enum Answer {
     InverseMassMatrixTimes,
     /// The accelerations, and their derivative along a direction.
     Push,
+    /// The accelerations, and the gradient of their sum with weights.
+    Pull,
+    /// The matrix that maps the dynamic parameters to efforts.
+    Regressor,
+    /// The product of the regressor with values of the dynamic parameters.
+    RegressorTimes,
+    /// The dynamic parameters.
+    DynamicParameters,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 17] = [
+    pub const ALL: [Answer; 21] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -60,6 +68,10 @@ impl Answer {
         Answer::MassMatrixTimes,
         Answer::InverseMassMatrixTimes,
         Answer::Push,
+        Answer::Pull,
+        Answer::Regressor,
+        Answer::RegressorTimes,
+        Answer::DynamicParameters,
     ];
 
     /// Returns its name in the text of a program.
@@ -82,6 +94,10 @@ impl Answer {
             Answer::MassMatrixTimes => "mass_matrix_times",
             Answer::InverseMassMatrixTimes => "inverse_mass_matrix_times",
             Answer::Push => "push",
+            Answer::Pull => "pull",
+            Answer::Regressor => "regressor",
+            Answer::RegressorTimes => "regressor_times",
+            Answer::DynamicParameters => "dynamic_parameters",
         }
     }
 }

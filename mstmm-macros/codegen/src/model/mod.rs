@@ -7,6 +7,7 @@ mod answer;
 mod check;
 mod condition;
 mod connection_points;
+mod dynamic_parameters;
 mod hinge;
 mod inertia;
 mod layout;
@@ -26,6 +27,7 @@ pub use crate::ids::{BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointI
 pub use answer::Answer;
 pub use condition::{Bound, Condition, Requirement};
 pub use connection_points::{ConnectionPoint, ConnectionPoints, ElementPoints, Transmitted};
+pub use dynamic_parameters::{DynamicParameter, InertialParameter, PassiveElement};
 pub use hinge::{
     Coordinate, DofGroup, Drive, Effort, Friction, Hinge, HingeKind, HingeSpec, Limits, Passive,
     Representation, StateView, ViewArgument,

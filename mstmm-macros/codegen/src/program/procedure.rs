@@ -91,6 +91,10 @@ pub enum Given {
     Accelerations,
     /// The factor of a product, one entry for each rate.
     Vector,
+    /// Values of the dynamic parameters.
+    DynamicParameters,
+    /// The rates of a virtual motion. They are replaced by formulas before a function is compiled.
+    VirtualRates,
     /// The part of a direction along the coordinates: a small motion along the rates.
     CoordinateDirection,
     /// The part of a direction along the rates.

@@ -220,7 +220,21 @@ impl<C> NotAsked<C> {
         Self::answer()
     }
 
-    pub fn inertial_parameters<R>(&self) -> R
+    pub fn regressor_times_into<R>(
+        &self,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+    ) -> R
+    where
+        Self: AsksRegressor,
+    {
+        Self::answer()
+    }
+
+    pub fn dynamic_parameters<R>(&self) -> R
     where
         Self: AsksRegressor,
     {

@@ -3,6 +3,7 @@
 mod dynamics;
 mod inverse_dynamics;
 mod products;
+mod regressor;
 mod state;
 
 use super::names::helper;
@@ -40,6 +41,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let methods = cx.compiled.functions.iter().map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
     let energy = chain_impl::energy(cx);
+    let regressor = regressor::others(cx);
     let chain_impl = chain_impl::chain_impl(cx);
     let generated = chain_impl::generated(cx);
     let not_asked = chain_impl::not_asked(cx);
@@ -49,6 +51,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #(#methods)*
             #(#by_value)*
             #energy
+            #regressor
         }
         #chain_impl
         #generated
@@ -95,6 +98,10 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::MassMatrixTimes => inverse_dynamics::mass_matrix_times(cx),
         Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
         Answer::Push => products::push(cx),
+        Answer::Pull => products::pull(cx),
+        Answer::Regressor => regressor::regressor(cx),
+        Answer::RegressorTimes => regressor::regressor_times(cx),
+        Answer::DynamicParameters => regressor::dynamic_parameters(cx),
     }
 }
 

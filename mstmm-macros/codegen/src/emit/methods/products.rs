@@ -2,7 +2,7 @@
 
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
-use super::dynamics::lent_rates;
+use super::dynamics::{lent_rates, of_vector};
 use super::{MethodTemplate, fallible, of_state_and_inputs};
 use crate::compile::outputs;
 use crate::program::OutputId;
@@ -47,6 +47,46 @@ pub(super) fn push(cx: &EmitContext) -> MethodTemplate {
             outputs::ACCELERATIONS => Destination::Vector(quote!((*accelerations_))),
             outputs::CHANGE => Destination::Vector(quote!((*change_))),
             _ => bug!("a product has no place for `{}`", id.name),
+        },
+    }
+}
+
+pub(super) fn pull(cx: &EmitContext) -> MethodTemplate {
+    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let (given, variation) = (of_vector(cx), &cx.names.variation);
+    let lent = lent_rates(cx, &quote!(accelerations_));
+    MethodTemplate {
+        name: quote!(#visibility fn pull_into),
+        docs: [
+            quote! {
+                #[doc(alias("vjp", "reverse mode", "gradient", "adjoint", "backpropagation", "pullback"))]
+                /// Computes the accelerations `v̇` and the gradient of their weighted sum `yᵀ v̇`, the product of
+                /// the transposed Jacobian of forward dynamics with the weights `y` in `vector`. Both are exact,
+                /// and need O(n) operations, whatever the number of inputs and parameters.
+                ///
+                /// `gradient.coordinates` is along the rates: `dq = N(q) δ`.
+                #(#[doc = #near_one])*
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+                /// `Error::NotFinite` if the state, the inputs or the weights are not finite. Both results are
+                /// then unchanged.
+            },
+        ],
+        arguments: quote!(#given #lent gradient_: &mut #variation<T>,),
+        returns: fallible(cx, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: |_, id: OutputId| match id {
+            outputs::ACCELERATIONS => Destination::Vector(quote!((*accelerations_))),
+            outputs::BY_COORDINATES => Destination::Vector(quote!(gradient_.coordinates)),
+            outputs::BY_RATES => Destination::Vector(quote!(gradient_.rates)),
+            outputs::BY_INPUTS => Destination::Vector(quote!(gradient_.inputs)),
+            outputs::BY_PARAMETERS => Destination::Vector(quote!(gradient_.parameters)),
+            _ => bug!("a gradient has no place for `{}`", id.name),
         },
     }
 }

@@ -98,16 +98,20 @@ impl<S: Scalar> LinkKinematics<S> {
             && hinge.basis.armature.iter().chain(&hinge.efforts).all(|value| value.vanishes())
     }
 
-    /// Returns the spatial inertia of the link about its point.
-    pub fn spatial_inertia(&self) -> SpatialInertia<S> {
-        SpatialInertia::rigid(self.mass, self.first_moment, self.inertia)
+    /// Returns the inertia of the link about its point.
+    pub fn rigid_inertia(&self) -> RigidInertia<S> {
+        let &LinkKinematics { mass, first_moment, inertia, .. } = self;
+        RigidInertia { mass, first_moment, inertia }
     }
 
-    /// Returns the wrench that the velocities require, `[m Ω̃Ω̃ r_C; Ω × J Ω]`: `−E_5` of
-    /// [P, Eq. (20)] and, about the point, the gyroscopic part of `E_9`.
+    /// Returns the spatial inertia of the link about its point.
+    pub fn spatial_inertia(&self) -> SpatialInertia<S> {
+        self.rigid_inertia().spatial()
+    }
+
+    /// Returns the wrench that the velocities require.
     pub fn velocity_wrench(&self) -> Wrench<S> {
-        let moment = self.inertia.gyroscopic(self.omega);
-        Wrench { force: self.first_moment.centripetal_by_products(self.omega), moment }
+        self.rigid_inertia().velocity_wrench(self.omega)
     }
 }
 

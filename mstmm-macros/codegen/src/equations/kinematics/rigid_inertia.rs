@@ -1,6 +1,6 @@
 //! Mass, first moment and inertia of a rigid part.
 
-use crate::math::{Scalar, Sym3, Vec3};
+use crate::math::{Motion, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 
 /// The inertia of a rigid part about a point; the owner names point and axes.
 #[derive(Clone, Copy, Debug)]
@@ -18,5 +18,22 @@ impl<S: Scalar> RigidInertia<S> {
     pub fn zero() -> Self {
         let (first_moment, inertia) = (Vec3::zero(), Sym3([S::zero(); 6]));
         RigidInertia { mass: S::zero(), first_moment, inertia }
+    }
+
+    /// Returns the spatial inertia.
+    pub fn spatial(&self) -> SpatialInertia<S> {
+        SpatialInertia::rigid(self.mass, self.first_moment, self.inertia)
+    }
+
+    /// Returns the wrench that the velocities require, `[m Ω̃Ω̃ r_C; Ω × J Ω]`: `−E_5` of
+    /// [P, Eq. (20)] and, about the point, the gyroscopic part of `E_9`.
+    pub fn velocity_wrench(&self, omega: Vec3<S>) -> Wrench<S> {
+        let moment = self.inertia.gyroscopic(omega);
+        Wrench { force: self.first_moment.centripetal_by_products(omega), moment }
+    }
+
+    /// Returns the wrench about the point that a motion of the part requires, `I a + p`.
+    pub fn needed_wrench(&self, acceleration: Motion<S>, omega: Vec3<S>) -> Wrench<S> {
+        self.spatial().times(acceleration) + self.velocity_wrench(omega)
     }
 }
