@@ -119,6 +119,39 @@ fn fast_sampling_has_the_gain_of_continuous_time() -> Result<(), Error> {
     Ok(())
 }
 
+/// A cart with a pole upright, over wide ranges of steps and weights, and in single precision, where A differs from the
+/// unit matrix by the last digits only.
+#[test]
+fn residuals_are_small_for_all_steps_and_weights() -> Result<(), Error> {
+    let mut rates = SMatrix::<f64, 4, 4>::zeros();
+    (rates[(0, 2)], rates[(1, 3)]) = (1.0, 1.0);
+    (rates[(2, 1)], rates[(3, 1)]) = (-0.981, 21.582);
+    let identity = SMatrix::identity();
+    for h in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5] {
+        let step = rates * h;
+        let integral = (2..=4).rev().fold(identity, |sum, k| identity + step * sum / f64::from(k));
+        for weight in [1e-6, 1e-3, 1.0, 1e3] {
+            let problem = Problem {
+                a: identity + step * integral,
+                b: integral * SMatrix::<f64, 4, 1>::new(0.0, 0.0, 1.0, -2.0) * h,
+                q: SMatrix::from_diagonal(&SMatrix::<f64, 4, 1>::new(10.0, 10.0, 1.0, 1.0)) * h,
+                r: Matrix1::new(weight * h),
+            };
+            let Lqr { gain, cost } = problem.lqr()?;
+            let off = (problem.right_side(&cost) - cost).abs().max() / cost.abs().max();
+            assert!(off < 1e-13, "{h} {weight}: residual {off:e}");
+            assert!(problem.radius(&Lqr { gain, cost }) < 1.0);
+            let Problem { a, b, q, r } = &problem;
+            let single =
+                lqr::<f32, 4, 1>(&converted(a), &converted(b), &converted(q), &converted(r))?;
+            let off = (single.gain.map(f64::from) - gain).abs().max() / gain.abs().max();
+            // Rounding A changes its rates by 6e-8 / h, and 1e3 is the gain from a weight of 1e-6.
+            assert!(off < 1e-3 + 1e-6 / h, "{h} {weight}: single precision is off by {off:e}");
+        }
+    }
+    Ok(())
+}
+
 /// The cost over n steps, by the recursion from the end, tends to the cost of all steps.
 #[test]
 fn the_recursion_over_many_steps_tends_to_the_cost() {
