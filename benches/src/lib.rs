@@ -6,6 +6,7 @@
 mod lanes;
 mod models;
 mod states;
+mod timing;
 
 use mstmm::{Error, GeneratedChain};
 
@@ -17,6 +18,7 @@ pub use models::{
 pub use states::{
     numbers_of_state, random_angles, random_states, samples, samples_from, state_from,
 };
+pub use timing::{Times, from_bytes, to_bytes};
 
 /// A chain that is timed. Every hinge has a motor.
 pub trait Case: GeneratedChain<Scalar: Lanes, Inputs: Clone> + Default {

@@ -3,10 +3,6 @@
 //     contender MODEL WHAT STATES RESULTS MILLISECONDS
 //
 // MODEL is a text file written by `models.py`; WHAT is `accelerations`, `all` or `rk4`.
-#include <fstream>
-#include <string>
-
-#include <pinocchio/multibody.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/joint-configuration.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
@@ -20,59 +16,15 @@ static void prepare(double *state);
 static void finish(const double *state, double *result);
 #include "contender.h"
 
-namespace pin = pinocchio;
+#include "pinocchio_model.h"
+
 using Vector = Eigen::VectorXd;
 using Given = Eigen::Map<const Vector>;
 
-static pin::Model model;
 static pin::Data *data;
 static const double step = 1e-3;
 
-static void read_model(const char *path) {
-    std::ifstream file(path);
-    size_t bodies;
-    Eigen::Vector3d gravity;
-    file >> bodies >> gravity[0] >> gravity[1] >> gravity[2];
-    model.gravity.linear(gravity);
-    for (size_t index = 0; index < bodies; index++) {
-        std::string hinge;
-        Eigen::Vector3d position, com;
-        Eigen::Matrix3d rotation, inertia;
-        double mass;
-        pin::JointIndex parent;
-        file >> hinge >> parent;
-        for (int i = 0; i < 3; i++) file >> position[i];
-        for (int i = 0; i < 9; i++) file >> rotation(i / 3, i % 3);
-        file >> mass;
-        for (int i = 0; i < 3; i++) file >> com[i];
-        for (int i = 0; i < 9; i++) file >> inertia(i / 3, i % 3);
-        if (!file) fail("cannot read the model");
-        pin::JointModel joint;
-        if (hinge == "x") joint = pin::JointModelRX();
-        if (hinge == "y") joint = pin::JointModelRY();
-        if (hinge == "z") joint = pin::JointModelRZ();
-        if (hinge == "ball") joint = pin::JointModelSpherical();
-        if (hinge == "floating") joint = pin::JointModelFreeFlyer();
-        auto own = model.addJoint(parent, joint, pin::SE3(rotation, position), std::to_string(index));
-        model.appendBodyToJoint(own, pin::Inertia(mass, com, inertia));
-    }
-}
-
-static bool is_floating() { return model.joints[1].shortname() == "JointModelFreeFlyer"; }
-
-// Quaternions are x, y, z, w here; the velocity of a floating base has its axes.
-static void prepare(double *state) {
-    if (model.nq == model.nv) return;
-    bool floats = is_floating();
-    for (int i = floats ? 3 : 0; i < (floats ? 7 : model.nq); i += 4) {
-        double w = state[i];
-        memmove(state + i, state + i + 1, 3 * sizeof(double));
-        state[i + 3] = w;
-    }
-    if (!floats) return;
-    Eigen::Map<Eigen::Vector3d> velocity(state + model.nq);
-    velocity = Eigen::Map<const Eigen::Quaterniond>(state + 3).inverse() * velocity;
-}
+static void prepare(double *state) { take_coordinates(state); }
 
 // The acceleration of a floating base is spatial: it lacks ω × v, and it has the base's axes.
 static void finish(const double *state, double *result) {
@@ -117,7 +69,8 @@ static void rk4(const double *state, double *result) {
 
 int main(int count, char **arguments) {
     if (count != 6) fail("contender MODEL WHAT STATES RESULTS MILLISECONDS");
-    read_model(arguments[1]);
+    std::ifstream file(arguments[1]);
+    read_model(file);
     data = new pin::Data(model);
     std::string what = arguments[2];
     evaluate = what == "accelerations" ? accelerations : what == "all" ? all : rk4;

@@ -4,14 +4,17 @@ import argparse
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from . import reference, report
+from .answers import run as answers
+from .answers.questions import ANSWER_CASES, QUESTIONS
 from .build import Builder, Contender, say
 from .cases import CASES, Case
-from .measure import measure
+from .measure import compare, measure
 
 STEP = 1e-3
 """The step of the integrators in s, the same as in the contenders."""
@@ -28,6 +31,9 @@ LONGER = {"B3", "D7"}
 
 def main() -> None:
     options = parse()
+    if "answers" in options.what:
+        answers.main(options)
+        return
     builder = Builder(options.work, options.clang)
     native, any_processor = builder.own(native=True), builder.own(native=False)
     tables = []
@@ -44,8 +50,9 @@ def main() -> None:
                 peers.append(builder.mujoco(case, what))
             states, expected = expectation(native, case, what, options.work)
             say(f"timing {name}, {what}")
+            judge = partial(compare, reference=expected)
             rows = measure(
-                [*own, *peers], states, expected, options.rounds, options.milliseconds, options.core
+                [*own, *peers], states, judge, options.rounds, options.milliseconds, options.core
             )
             tables.append(report.Table(name, what, case.states, rows))
     print(report.write(options.work, options.clang, tables))
@@ -63,14 +70,15 @@ def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--clang", required=True, help=argparse.SUPPRESS)
-    parser.add_argument(
-        "--cases", type=lambda text: text.split(","), default=list(CASES), help="such as A10,D7"
-    )
+    parser.add_argument("--cases", type=lambda text: text.split(","), help="such as A10,D7")
     parser.add_argument(
         "--what",
         type=lambda text: text.split(","),
         default=list(report.TITLES),
-        help="of accelerations,all,rk4",
+        help="of accelerations,all,rk4; or only answers",
+    )
+    parser.add_argument(
+        "--questions", type=lambda text: text.split(","), default=[], help="of the answers, such as linearize"
     )
     parser.add_argument(
         "--all", action="store_true", help="all and rk4 for all cases, not only for B3 and D7"
@@ -82,7 +90,13 @@ def parse() -> argparse.Namespace:
     options = parser.parse_args()
     options.rounds = options.rounds or (5 if options.quick else 15)
     options.milliseconds = options.milliseconds or (20 if options.quick else 50)
-    if unknown := [*set(options.cases) - set(CASES), *set(options.what) - set(report.TITLES)]:
+    if "answers" in options.what and len(options.what) > 1:
+        parser.error("answers are timed in a separate run")
+    is_answers = options.what == ["answers"]
+    cases = ANSWER_CASES if is_answers else CASES
+    options.cases = options.cases or list(cases)
+    known = {*cases, "answers", *report.TITLES, *(question.name for question in QUESTIONS)}
+    if unknown := {*options.cases, *options.what, *options.questions} - known:
         parser.error(f"not known: {', '.join(unknown)}")
     return options
 

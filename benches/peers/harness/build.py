@@ -48,8 +48,12 @@ class Builder:
 
     def own(self, native: bool) -> Path:
         """Builds the contender of this library, for this processor or for any processor."""
+        return self.cargo_build(native, "contender")
+
+    def cargo_build(self, native: bool, program: str) -> Path:
+        """Builds a program of this library, for this processor or for any processor."""
         folder = self.work / ("own-native" if native else "own")
-        command = ["cargo", "build", "--release", "--package", "mstmm-benches", "--bin", "contender"]
+        command = ["cargo", "build", "--release", "--package", "mstmm-benches", "--bin", program]
         environment = dict(os.environ)
         if native:
             environment["RUSTFLAGS"] = "-C target-cpu=native"
@@ -59,7 +63,7 @@ class Builder:
         say(f"cargo build ({folder.name})")
         environment["CARGO_TARGET_DIR"] = str(folder)
         subprocess.run([*command, "--quiet"], cwd=ROOT, env=environment, check=True)
-        return folder / "release/contender"
+        return folder / "release" / program
 
     def casadi(self, case: Case, what: str) -> list[Contender]:
         """Builds all variants of CasADi's code."""
@@ -87,7 +91,8 @@ class Builder:
         for name, flags in variants.items():
             flags = [*flags, *(["-DRK4"] if what == "rk4" else []), "-I", str(folder), "-I", str(DRIVERS)]
             binary = folder / f"{what} {name}".replace(" ", "-").replace("/", "-").replace(",", "")
-            self._compile(binary, DRIVERS / "casadi.c", [*CASADI, *flags], ["-lmvec", "-lm"], [core])
+            headers = [core, DRIVERS / "trigonometry.h"]
+            self._compile(binary, DRIVERS / "casadi.c", [*CASADI, *flags], ["-lmvec", "-lm"], headers)
             contenders.append(Contender(name, (str(binary),), wide="-DWIDE" in flags))
         return contenders
 
@@ -95,7 +100,8 @@ class Builder:
         include = PACKAGES / "cmeel.prefix/include"
         flags = [*PINOCCHIO, "-I", str(include), "-I", str(include / "eigen3")]
         binary = self.work / "pinocchio"
-        self._compile(binary, DRIVERS / "pinocchio.cpp", flags, ["-lstdc++", "-lm"], [])
+        headers = [DRIVERS / "pinocchio_model.h"]
+        self._compile(binary, DRIVERS / "pinocchio.cpp", flags, ["-lstdc++", "-lm"], headers)
         model = self.work / f"{case.name}.txt"
         model.write_text(models.for_pinocchio(case))
         return Contender("Pinocchio", (str(binary), str(model), what))

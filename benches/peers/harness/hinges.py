@@ -88,6 +88,10 @@ class Pin:
         result[j][i] = result[i][j] if is_symmetric else add(m[j][i], off)
         return result
 
+    def tensor_inwards(self, m: Matrix) -> Matrix:
+        """Returns a symmetric matrix in inboard components."""
+        return self._matrix(m, True)
+
     def eliminate(self, w: Wrench, bias: Vector) -> Wrench:
         """Eliminates the hinge from a wrench; `bias` is the angular acceleration due to the rates."""
         k, torque = self.k, self.torque[self.k]
@@ -143,6 +147,9 @@ class Ball:
         """A and B are zero."""
         m = turned(self.rotation, w.m, symmetric)
         return Wrench(w.a, w.b, m, self.inwards(w.moment), self.inwards(w.force))
+
+    def tensor_inwards(self, m: Matrix) -> Matrix:
+        return turned(self.rotation, m, symmetric)
 
     def eliminate(self, w: Wrench, _bias: Vector) -> Wrench:
         """Eliminates by A = L D Lᵀ: its acceleration is L⁻ᵀ D⁻¹ y with y = L⁻¹ (torque − moment0 − B a)."""

@@ -5,6 +5,7 @@ import os
 import resource
 import statistics
 import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -43,12 +44,15 @@ class Measured:
 def measure(
     contenders: list[Contender],
     states: Path,
-    reference: np.ndarray,
+    compare: Callable[["Measured", np.ndarray], None],
     rounds: int,
     milliseconds: int,
     core: int,
 ) -> list[Measured]:
-    """Runs each contender once per round, so that disturbances affect all of them."""
+    """Runs each contender once per round, so that disturbances affect all of them.
+
+    `compare` is called with the results of each contender.
+    """
     all_measured = [Measured(contender) for contender in contenders]
     results = states.with_suffix(".results")
     for index in range(rounds):
@@ -68,7 +72,7 @@ def measure(
             measured.rounds.append(statistics.median(each))
             measured.fastest = min(measured.fastest, *each)
             if index == 0:
-                compare(measured, np.fromfile(results), reference)
+                compare(measured, np.fromfile(results))
     return all_measured
 
 

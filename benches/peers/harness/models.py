@@ -4,7 +4,7 @@ from pathlib import Path
 
 import mujoco
 
-from .cases import Body, Case
+from .cases import Body, Case, Vector
 
 
 def for_pinocchio(case: Case) -> str:
@@ -21,8 +21,11 @@ def for_pinocchio(case: Case) -> str:
     return "\n".join([first, *map(line, case.bodies)]) + "\n"
 
 
-def for_mujoco(case: Case, path: Path) -> None:
-    """Writes a compiled model, since MJCF cannot be nested a thousand levels deep."""
+def for_mujoco(case: Case, path: Path, tip: Vector | None = None) -> None:
+    """Writes a compiled model, since MJCF cannot be nested a thousand levels deep.
+
+    Optionally with a site at a point of the last body.
+    """
     spec = mujoco.MjSpec()
     spec.option.timestep = 1e-3
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_RK4
@@ -30,22 +33,28 @@ def for_mujoco(case: Case, path: Path) -> None:
     # No contacts and no limits.
     flags = mujoco.mjtDisableBit
     spec.option.disableflags = flags.mjDSBL_CONSTRAINT | flags.mjDSBL_CONTACT
-    before = spec.worldbody
+    bodies: list[mujoco.MjsBody] = []
     for body in case.bodies:
         inertia = body.inertia
         rotation = body.rotation
-        before = before.add_body(
+        before = spec.worldbody if body.parent is None else bodies[body.parent]
+        own = before.add_body(
             pos=body.position,
             mass=body.mass,
             ipos=body.com,
             fullinertia=[inertia[i][j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))],
             explicitinertial=True,
         )
-        before.alt.type = mujoco.mjtOrientation.mjORIENTATION_XYAXES
-        before.alt.xyaxes = [rotation[i][column] for column in (0, 1) for i in range(3)]
-        if body.hinge == "ball":
-            before.add_joint(type=mujoco.mjtJoint.mjJNT_BALL)
+        own.alt.type = mujoco.mjtOrientation.mjORIENTATION_XYAXES
+        own.alt.xyaxes = [rotation[i][column] for column in (0, 1) for i in range(3)]
+        if body.hinge == "floating":
+            own.add_joint(type=mujoco.mjtJoint.mjJNT_FREE)
+        elif body.hinge == "ball":
+            own.add_joint(type=mujoco.mjtJoint.mjJNT_BALL)
         else:
             axis = [float(name == body.hinge) for name in "xyz"]
-            before.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
+            own.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
+        bodies.append(own)
+    if tip:
+        bodies[-1].add_site(pos=tip)
     mujoco.mj_saveModel(spec.compile(), str(path))

@@ -2,14 +2,15 @@
 
 use std::error::Error;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{env, fs};
 
 use mstmm::wide::{f32x16, f64x8};
 use mstmm::{ChainState, Rk4, Scalar};
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, G1, Hyq, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100,
-    Rods1000, numbers_of_state, random_states, samples_from, with_cases, with_z,
+    Rods1000, Times, from_bytes, numbers_of_state, random_states, samples_from, to_bytes,
+    with_cases, with_z,
 };
 
 const USAGE: &str = "contender states CASE COUNT STATES_OUT
@@ -17,12 +18,6 @@ contender accelerations|z|all|rk4|lanes|lanes32 CASE STATES_IN RESULTS_OUT MILLI
 
 /// The step of the integration in s.
 const STEP: f64 = 1e-3;
-
-/// The warm-up time of the processor before timing.
-const WARM_UP: Duration = Duration::from_millis(5);
-
-/// The shortest time of a batch of evaluations.
-const BATCH: Duration = Duration::from_micros(200);
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -152,52 +147,4 @@ fn push_lanes<T: Lanes>(results: &mut Vec<f64>, numbers: &[T]) {
     for lane in 0..T::COUNT {
         results.extend(numbers.iter().map(|number| number.lane(lane)));
     }
-}
-
-/// Batches with the same number of evaluations, each of one state.
-struct Times {
-    evaluations: usize,
-    nanoseconds: Vec<u128>,
-}
-
-impl Times {
-    /// Times `evaluate` for all samples repeatedly, for about the given time, with a number of states per
-    /// sample.
-    fn of<S>(budget: Duration, samples: &[S], states: usize, mut evaluate: impl FnMut(&S)) -> Self {
-        let mut samples = samples.iter().cycle();
-        let mut batch = |evaluations: usize| {
-            let start = Instant::now();
-            samples.by_ref().take(evaluations).for_each(&mut evaluate);
-            start.elapsed()
-        };
-        let start = Instant::now();
-        while start.elapsed() < WARM_UP {
-            batch(1);
-        }
-        let mut count = 1;
-        while batch(count) < BATCH {
-            count *= 2;
-        }
-        let start = Instant::now();
-        let mut nanoseconds = vec![batch(count).as_nanos()];
-        while start.elapsed() < budget {
-            nanoseconds.push(batch(count).as_nanos());
-        }
-        Self { evaluations: count * states, nanoseconds }
-    }
-
-    fn print(&self) {
-        let Self { evaluations, nanoseconds } = self;
-        println!("{{\"evaluations\": {evaluations}, \"nanoseconds\": {nanoseconds:?}}}");
-    }
-}
-
-/// Converts numbers from and to the format of files.
-fn to_bytes(numbers: &[f64]) -> Vec<u8> {
-    numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
-}
-
-fn from_bytes(bytes: &[u8]) -> Vec<f64> {
-    let (numbers, _) = bytes.as_chunks();
-    numbers.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect()
 }

@@ -1,0 +1,120 @@
+"""`benches/peers/run --what answers`: times the answers of this library and of other tools."""
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from ..build import Contender, say
+from ..cases import Case
+from ..measure import Measured, measure
+from ..reference import Array
+from . import conventions, tables
+from .build import AnswersBuilder
+from .questions import ANSWER_CASES, QUESTIONS, States, count_of_states, write_states
+
+STEP = 1e-3
+"""The step of MuJoCo's models in s."""
+
+LARGEST_DIFFERENCE = 1e-9
+"""The run fails if no other tool gives the results of this library within this relative difference."""
+
+LANES = {"accelerations", "linearize"}
+"""The questions that are also timed with eight states at a time."""
+
+
+def main(options: argparse.Namespace) -> None:
+    builder = AnswersBuilder(options.work, options.clang)
+    own = builder.own(native=True)
+    measured = []
+    for name in options.cases:
+        case = ANSWER_CASES[name]
+        path, states = states_of(own, case, options.work)
+        for question in QUESTIONS:
+            if options.questions and question.name not in options.questions:
+                continue
+            contenders = [Contender("mstmm", (str(own), question.name, name), own=True)]
+            if question.name in LANES and name in ("D7", "B3"):
+                command = (str(own), f"{question.name}_lanes", name)
+                contenders.append(Contender("mstmm, lanes", command, own=True, wide=True))
+            contenders += builder.peers(case, question.name)
+            say(f"timing {name}, {question.title}")
+            judge = judge_of(case, question.name, states)
+            rows = measure(contenders, path, judge, options.rounds, options.milliseconds, options.core)
+            measured.append(tables.Answered(name, question, rows))
+    print(tables.write(options.work, options.clang, measured))
+    broken = [f"{each.case}, {each.question.title}" for each in measured if is_wrong(each.rows)]
+    if broken:
+        sys.exit("no other tool confirms the results: " + "; ".join(broken))
+
+
+def is_wrong(rows: list[Measured]) -> bool:
+    peers = [row.error for row in rows if not row.contender.own and not row.failure]
+    return bool(peers) and not min(peers) < LARGEST_DIFFERENCE
+
+
+def states_of(own: Path, case: Case, work: Path) -> tuple[Path, States]:
+    basic, path = work / f"{case.name}.basic.states", work / f"{case.name}.answers.states"
+    subprocess.run([own, "states", case.name, str(count_of_states(case)), basic], check=True)
+    return path, write_states(case, basic, path)
+
+
+def judge_of(case: Case, question: str, states: States) -> Callable[[Measured, Array], None]:
+    """Returns the comparison of results with the first contender's, which are those of this library."""
+    first: list[Array] = []
+    pinocchio = conventions.Pinocchio(case, states)
+    sizes = blocks(case, question)
+
+    def judge(measured: Measured, results: Array) -> None:
+        rows = results.reshape(len(states.q), -1)
+        name = measured.contender.name
+        if name == "Pinocchio":
+            rows = pinocchio.convert(question, rows)
+        elif name == "MuJoCo" and question == "linearize":
+            rows = conventions.mujoco_linearize(case, rows, STEP)
+        elif name == "MuJoCo" and question == "derivatives":
+            rows = conventions.mujoco_derivatives(case, rows)
+        elif name == "dynibo":
+            rows = conventions.dynibo(case, question, states, rows)
+        if not first:
+            first.append(rows)
+        errors = differences(rows, first[0], sizes)
+        measured.error, measured.typical_error = float(errors.max()), float(np.median(errors))
+
+    return judge
+
+
+def blocks(case: Case, question: str) -> list[int]:
+    """Returns the sizes of the matrices and vectors of an answer."""
+    n = case.rates
+    motors = n - 6 if case.floating else n
+    return {
+        "mass_matrix": [n * n],
+        "inverse_mass_matrix": [n * n],
+        "jacobian": [3 * n, 3 * n],
+        "regressor": [n * 10 * len(case.bodies)],
+        "derivatives": [n * n, n * n, n * n],
+        "linearize": [n * n, n * n, n * motors, n],
+        "push": [n, n],
+        "pull": [n, n, motors, n],
+    }.get(question, [n])
+
+
+def differences(rows: Array, expected: Array, sizes: list[int]) -> Array:
+    """Returns the largest difference of each state, relative to the largest entry of the same matrix.
+
+    Only the matrices that both have are compared.
+    """
+    result = np.zeros(len(rows))
+    start = 0
+    for size in sizes:
+        block = slice(start, start := start + size)
+        if start > min(rows.shape[1], expected.shape[1]):
+            break
+        difference = np.abs(rows[:, block] - expected[:, block]).max(axis=1)
+        result = np.maximum(result, difference / np.abs(expected[:, block]).max(axis=1))
+    # NaN is an infinite difference.
+    return np.where(np.isnan(result), np.inf, result)

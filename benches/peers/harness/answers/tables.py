@@ -1,0 +1,116 @@
+"""Tables and JSON of the answers."""
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..measure import Measured
+from ..report import digits, machine
+from .goals import Figures, goals_of
+from .questions import QUESTIONS, Question
+
+PEERS = ["Pinocchio", "CasADi", "CasADi −M⁻¹∂ID", "MuJoCo", "dynibo"]
+
+
+@dataclass(frozen=True)
+class Answered:
+    case: str
+    question: Question
+    rows: list[Measured]
+
+    def best(self, name: str) -> Measured | None:
+        """Returns the fastest variant of a contender."""
+        rows = [
+            row
+            for row in self.rows
+            if row.rounds and row.contender.name.removesuffix(", fast math") == name
+        ]
+        return min(rows, key=lambda row: row.fastest, default=None)
+
+
+def write(work: Path, clang: str, measured: list[Answered]) -> str:
+    """Writes `answers.md` and `answers.json`, and returns the text."""
+    about = machine(clang)
+    cases = list(dict.fromkeys(each.case for each in measured))
+    lines = [", ".join(about) + ".", ""]
+    for case in cases:
+        lines += table(case, [each for each in measured if each.case == case])
+    lines += goals(cases, measured)
+    text = "\n".join(lines)
+    (work / "answers.md").write_text(text)
+    document = {"machine": about, "load": os.getloadavg(), "answers": [json_of(each) for each in measured]}
+    (work / "answers.json").write_text(json.dumps(document, indent=1))
+    return text
+
+
+def table(case: str, answered: list[Answered]) -> list[str]:
+    peers = [name for name in PEERS if any(each.best(name) for each in answered)]
+    unit = forward_dynamics(answered, "mstmm")
+    lines = [
+        f"## {case}",
+        "",
+        f"| | ns | FD | {' | '.join(peers)} | largest difference, typical |",
+        f"|---|---:|---:|{'---:|' * len(peers)}---|",
+    ]
+    for each in answered:
+        own = each.best("mstmm")
+        time = own.fastest if own else float("nan")
+        cells = [each.question.title, digits(time), f"{time / unit:.2f}"]
+        others = [each.best(name) for name in peers]
+        cells += [f"{digits(row.fastest)} ({row.fastest / time:.2f})" if row else "" for row in others]
+        differences = {
+            name: f"{name} {row.error:.0e}, {row.typical_error:.0e}"
+            for name, row in zip(peers, others, strict=True)
+            if row
+        }
+        cells.append("; ".join(differences.values()))
+        lines.append(f"| {' | '.join(cells)} |")
+        if lanes := each.best("mstmm, lanes"):
+            unit_of_lanes = forward_dynamics(answered, "mstmm, lanes")
+            title = f"{each.question.title}, 8 states at a time, per state"
+            ratios = [f"({row.fastest / lanes.fastest:.1f})" if row else "" for row in others]
+            cells = [title, digits(lanes.fastest), f"{lanes.fastest / unit_of_lanes:.2f}", *ratios]
+            lines.append(f"| {' | '.join(cells)} | {lanes.error:.0e}, {lanes.typical_error:.0e} |")
+    return [*lines, ""]
+
+
+def forward_dynamics(answered: list[Answered], name: str) -> float:
+    rows = [each.best(name) for each in answered if each.question == QUESTIONS[0]]
+    return rows[0].fastest if rows and rows[0] else float("nan")
+
+
+def goals(cases: list[str], measured: list[Answered]) -> list[str]:
+    """Returns the table of goals with the figures of this run."""
+    times = {
+        (each.case, each.question.name, row.contender.name): row.fastest
+        for each in measured
+        for row in each.rows
+        if row.rounds
+    }
+    lines = ["## Goals", "", "| | goal | reached | |", "|---|---|---:|---|"]
+    for goal in goals_of(cases):
+        reached = goal.figure(Figures(times))
+        if reached is None:
+            continue
+        sign = "≤" if goal.at_most else "≥"
+        verdict = "met" if goal.is_met(reached) else "missed"
+        lines.append(f"| {goal.name} | {goal.title} {sign} {goal.limit:g} | {reached:.2f} | {verdict} |")
+    return [*lines, ""]
+
+
+def json_of(each: Answered) -> dict[str, Any]:
+    rows = [
+        {
+            "name": row.contender.name,
+            "fastest": row.fastest if row.rounds else None,
+            "nanoseconds": row.nanoseconds if row.rounds else None,
+            "difference": row.error if row.rounds else None,
+            "typical_difference": row.typical_error if row.rounds else None,
+            "failure": row.failure or None,
+            "rounds": row.rounds,
+        }
+        for row in each.rows
+    ]
+    return {"case": each.case, "question": each.question.name, "contenders": rows}
