@@ -4,7 +4,7 @@ use super::compiler::{ChainCompiler, Traced};
 use super::{layouts, outputs};
 use crate::equations::{AXES, OpenChain, virtual_power};
 use crate::expr::Expr;
-use crate::function::{Function, gradient, substitute};
+use crate::function::{Function, gradient, share_carries, substitute};
 use crate::ids::{ParameterId, SymbolId};
 use crate::program::{Argument, Given};
 use std::collections::HashMap;
@@ -56,7 +56,8 @@ impl<'a> ChainCompiler<'a> {
                 self.unknowns.of(Argument::Given(given)).into_iter().zip(formulas)
             })
             .collect();
-        substitute(function, &formulas).into()
+        // The kinematics of the displaced chain are then those of forward dynamics.
+        share_carries(substitute(function, &formulas)).into()
     }
 
     /// Returns the symbols that the power is differentiated by, and the numbers of those along coordinates, rates, inputs and

@@ -4,7 +4,7 @@ use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
 use crate::equations::{self, AXES, Direction};
 use crate::expr::Expr;
-use crate::function::Function;
+use crate::function::{Function, share_carries};
 use crate::program::Given;
 
 impl<'a> ChainCompiler<'a> {
@@ -24,6 +24,6 @@ impl<'a> ChainCompiler<'a> {
             self.rates(outputs::ACCELERATIONS, &pushed.accelerations),
             self.rates(outputs::CHANGE, &pushed.change),
         ];
-        Function { outputs, pivots: self.pivots(&pushed.pivots), ..function }.into()
+        share_carries(Function { outputs, pivots: self.pivots(&pushed.pivots), ..function }).into()
     }
 }

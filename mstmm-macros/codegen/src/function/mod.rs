@@ -3,12 +3,14 @@
 
 mod adjoint;
 mod dependence;
+mod share_carries;
 mod substitute;
 mod tracer;
 mod unknowns;
 
 pub use adjoint::gradient;
 pub use dependence::{Dependence, SymbolDependences};
+pub use share_carries::share_carries;
 pub use substitute::substitute;
 pub use tracer::LoopTracer;
 pub use unknowns::{Unknown, Unknowns};

@@ -37,19 +37,19 @@ fn fold_known_carries(mut function: Function) -> Function {
 }
 
 /// The formulas for symbols, and the images of nodes.
-struct FormulaImages<'g> {
+pub(super) struct FormulaImages<'g> {
     graph: &'g Graph,
     formulas: HashMap<SymbolId, Expr<'g>>,
     nodes: Vec<Option<Expr<'g>>>,
 }
 
 impl<'g> FormulaImages<'g> {
-    fn new(graph: &'g Graph, formulas: HashMap<SymbolId, Expr<'g>>) -> Self {
+    pub(super) fn new(graph: &'g Graph, formulas: HashMap<SymbolId, Expr<'g>>) -> Self {
         FormulaImages { graph, formulas, nodes: vec![None; graph.len()] }
     }
 
     /// Replaces all roots of a function by their images.
-    fn apply(mut self, function: Function<'g>) -> Function<'g> {
+    pub(super) fn apply(mut self, function: Function<'g>) -> Function<'g> {
         let roots: Vec<Edge> = function.roots().collect();
         roots.into_iter().for_each(|edge| _ = self.of(edge));
         function.map(|edge| self.known(edge))
@@ -78,7 +78,7 @@ impl<'g> FormulaImages<'g> {
     }
 
     /// Returns the image of an edge, whose operands are followed before it.
-    fn of(&mut self, edge: Edge) -> Expr<'g> {
+    pub(super) fn of(&mut self, edge: Edge) -> Expr<'g> {
         let mut open = vec![edge.node()];
         let mut needed: Vec<NodeId> = Vec::new();
         while let Some(id) = open.pop() {
