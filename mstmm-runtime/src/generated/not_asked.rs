@@ -4,6 +4,7 @@
 //! that the chain has is found first, also one that the user's crate adds to it. The methods here cannot be called:
 //! the traits that they need have no implementations, so rustc reports the word to add.
 
+mod closure;
 mod derivatives;
 mod dynamics;
 mod motion;

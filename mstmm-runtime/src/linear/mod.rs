@@ -5,6 +5,7 @@
 //! |---|---|
 //! | [`negative_product`] | −A D, for the derivatives −M⁻¹ D of accelerations |
 //! | [`solve`], [`solve_positive_definite`] | A⁻¹ B |
+//! | [`null_space`] | a basis B of the vectors with G b = 0, such as the rates that keep a chain closed |
 //! | [`discretize`] | the discrete model x⁺ = A x + B u of a step with held inputs |
 //! | [`lqr`] | the gain of the linear-quadratic regulator of a discrete model |
 //!
@@ -93,11 +94,13 @@
 use crate::Scalar;
 
 mod discrete;
+mod null_space;
 mod product;
 mod regulator;
 mod solve;
 
 pub use discrete::{DiscreteModel, Linearization, Linearize, Sensitivity, discretize};
+pub use null_space::null_space;
 pub use product::negative_product;
 pub use regulator::{Lqr, lqr};
 pub use solve::{solve, solve_positive_definite};

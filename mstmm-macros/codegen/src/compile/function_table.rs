@@ -23,7 +23,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 21] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 22] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -137,6 +137,12 @@ pub(super) static FUNCTIONS: [FunctionSpec; 21] = [
         when: |chain, _, _| asks(chain, Request::Pull),
         trace: |chain| chain.pull(),
         checks: checked(outputs::BY_COORDINATES),
+    },
+    FunctionSpec {
+        answer: Answer::ClosureJacobianTimes,
+        when: |chain, _, layout| asks(chain, Request::Jacobian) && !layout.loop_hinges.is_empty(),
+        trace: |chain| chain.closure_jacobian_times(),
+        checks: checked(outputs::PRODUCT),
     },
     FunctionSpec {
         answer: Answer::Regressor,

@@ -1,5 +1,6 @@
 //! Compiles a model to procedures: traces the equations, simplifies the functions and orders their statements.
 
+mod closure_jacobian;
 mod compiler;
 mod function_table;
 mod inverse_dynamics;

@@ -70,7 +70,7 @@ fn given(requests: &[Request]) -> Vec<Given> {
     let of_request = |request: &Request| match request {
         Request::InverseDynamics | Request::Derivatives => &[Given::Accelerations][..],
         Request::Regressor => &[Given::Accelerations, Given::DynamicParameters],
-        Request::MassMatrix => &[Given::Vector],
+        Request::MassMatrix | Request::Jacobian => &[Given::Vector],
         Request::Pull => {
             &[Given::Vector, Given::Accelerations, Given::VirtualRates, Given::CoordinateDirection]
         }
@@ -80,11 +80,7 @@ fn given(requests: &[Request]) -> Vec<Given> {
             Given::InputDirection,
             Given::ParameterDirection,
         ],
-        Request::BiasEfforts
-        | Request::Kinematics
-        | Request::Jacobian
-        | Request::Momentum
-        | Request::Linearize => &[],
+        Request::BiasEfforts | Request::Kinematics | Request::Momentum | Request::Linearize => &[],
     };
     let mut all: Vec<Given> = Vec::new();
     for &given in requests.iter().flat_map(of_request) {

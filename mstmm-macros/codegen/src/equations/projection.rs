@@ -10,6 +10,7 @@ use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
 use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::motion_problem::{LoopConstraints, MotionProblem, MotionSolution};
 use super::sweep::PerLink;
+use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace, kinematics, riccati};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
@@ -53,6 +54,27 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
             + size(velocity_error))
         .sqrt(),
     })
+}
+
+/// Returns the velocity across the open loop hinge at rates `x`, linear and angular, in the axes of its inboard
+/// side: the product of the constraint Jacobian `G` of a closed chain with a vector. Rates that keep the
+/// chain closed have `G x = 0`, if moving ends and prescribed motions rest.
+pub fn closure_jacobian_times<S: Scalar>(context: &EvalContext<S>, x: &[S]) -> Option<Motion<S>> {
+    let direction = Direction {
+        coordinates: Vec::new(),
+        rates: x.to_vec(),
+        accelerations: Vec::new(),
+        inputs: Vec::new(),
+        parameters: Vec::new(),
+    };
+    let tangent = Tangent::new(context, &direction);
+    let along = tangent.context(context);
+    let links = kinematics(&along, Axes::Body, &mut Trace::silent());
+    let loop_hinge = loop_hinge(&along, Axes::Body, &links)?;
+    let error = velocity_error(&links, &loop_hinge, &poses(&along, &links));
+    let [linear, angular] =
+        [error.linear, error.angular].map(|vector| Vec3(vector.0.map(|entry| -entry.derivative())));
+    Some(Motion { linear, angular })
 }
 
 /// Returns coordinates displaced along the rates, with quaternions normalised.

@@ -39,6 +39,8 @@ pub enum Answer {
     Push,
     /// The accelerations, and the gradient of their sum with weights.
     Pull,
+    /// The product of a closed chain's constraint Jacobian with a vector.
+    ClosureJacobianTimes,
     /// The matrix that maps the dynamic parameters to efforts.
     Regressor,
     /// The product of the regressor with values of the dynamic parameters.
@@ -50,7 +52,7 @@ pub enum Answer {
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 21] = [
+    pub const ALL: [Answer; 22] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -69,6 +71,7 @@ impl Answer {
         Answer::InverseMassMatrixTimes,
         Answer::Push,
         Answer::Pull,
+        Answer::ClosureJacobianTimes,
         Answer::Regressor,
         Answer::RegressorTimes,
         Answer::DynamicParameters,
@@ -95,6 +98,7 @@ impl Answer {
             Answer::InverseMassMatrixTimes => "inverse_mass_matrix_times",
             Answer::Push => "push",
             Answer::Pull => "pull",
+            Answer::ClosureJacobianTimes => "closure_jacobian_times",
             Answer::Regressor => "regressor",
             Answer::RegressorTimes => "regressor_times",
             Answer::DynamicParameters => "dynamic_parameters",

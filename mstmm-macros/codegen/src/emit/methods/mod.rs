@@ -1,5 +1,6 @@
 //! The generated methods, one for each function of the table.
 
+mod closure_jacobian;
 mod dynamics;
 mod inverse_dynamics;
 mod products;
@@ -41,6 +42,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let methods = cx.compiled.functions.iter().map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
     let energy = chain_impl::energy(cx);
+    let closure_jacobian = closure_jacobian::matrix(cx);
     let regressor = regressor::others(cx);
     let chain_impl = chain_impl::chain_impl(cx);
     let generated = chain_impl::generated(cx);
@@ -51,6 +53,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #(#methods)*
             #(#by_value)*
             #energy
+            #closure_jacobian
             #regressor
         }
         #chain_impl
@@ -99,6 +102,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
         Answer::Push => products::push(cx),
         Answer::Pull => products::pull(cx),
+        Answer::ClosureJacobianTimes => closure_jacobian::times(cx),
         Answer::Regressor => regressor::regressor(cx),
         Answer::RegressorTimes => regressor::regressor_times(cx),
         Answer::DynamicParameters => regressor::dynamic_parameters(cx),
