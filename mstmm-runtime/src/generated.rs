@@ -370,3 +370,20 @@ pub fn matrix<T: Scalar, const R: usize, const C: usize>(
 ) -> nalgebra::SMatrix<T, R, C> {
     nalgebra::SMatrix::from_array_storage(nalgebra::ArrayStorage(columns))
 }
+
+/// Multiplies columns by `−M⁻¹`, of which `inverse` has the columns.
+#[inline]
+pub fn multiply_by_negative<T: Scalar, const N: usize>(
+    inverse: &nalgebra::SMatrix<T, N, N>,
+    columns: &mut [[T; N]],
+) {
+    for column in columns {
+        let mut product = [T::constant(0.0); N];
+        for (of_inverse, &factor) in inverse.data.0.iter().zip(&*column) {
+            for (sum, &entry) in product.iter_mut().zip(of_inverse) {
+                *sum = entry.mul_neg_add(factor, *sum);
+            }
+        }
+        *column = product;
+    }
+}

@@ -115,6 +115,7 @@ pub mod integrate;
 #[cfg(feature = "wide")]
 pub mod lanes;
 pub mod linear;
+mod linearization;
 mod loop_closure;
 pub mod paper;
 mod point;
@@ -136,6 +137,7 @@ pub use hinge::{
     SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
+pub use linearization::{InverseDynamicsDerivatives, Linearization};
 pub use loop_closure::LoopClosure;
 pub use nalgebra;
 pub use point::{

@@ -2,6 +2,7 @@
 
 use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
+use crate::equations::writes_matrices_out;
 use crate::examine::Findings;
 use crate::model::{Answer, Chain, ClosureRank, Layout, Passive, Request};
 use crate::passes::Checks;
@@ -23,7 +24,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 22] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 26] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -162,11 +163,49 @@ pub(super) static FUNCTIONS: [FunctionSpec; 22] = [
         trace: |chain| chain.dynamic_parameters(),
         checks: None,
     },
+    FunctionSpec {
+        answer: Answer::MassMatrix,
+        when: |chain, _, layout| asks(chain, Request::MassMatrix) && is_dense(chain, layout),
+        trace: |chain| chain.mass_matrix(),
+        checks: dense(outputs::MATRIX),
+    },
+    FunctionSpec {
+        answer: Answer::InverseMassMatrix,
+        when: |chain, _, layout| {
+            asks(chain, Request::MassMatrix)
+                && is_dense(chain, layout)
+                && layout.loop_hinges.is_empty()
+        },
+        trace: |chain| chain.inverse_mass_matrix(),
+        checks: dense(outputs::MATRIX),
+    },
+    FunctionSpec {
+        answer: Answer::InverseDynamicsDerivatives,
+        when: |chain, _, layout| asks(chain, Request::Derivatives) && is_dense(chain, layout),
+        trace: |chain| chain.inverse_dynamics_derivatives(),
+        checks: dense(outputs::BY_COORDINATES),
+    },
+    FunctionSpec {
+        answer: Answer::Linearization,
+        when: |chain, _, layout| asks(chain, Request::Linearize) && is_dense(chain, layout),
+        trace: |chain| chain.linearization(),
+        checks: dense(outputs::ACCELERATIONS),
+    },
 ];
 
 /// The output must be finite; after a failure the caller's storage is unchanged.
 const fn checked(finite: OutputId) -> Option<Checks> {
     Some(Checks { finite, failure: Failure::Untouched })
+}
+
+/// The output must be finite; after a failure some entries may have been written.
+const fn dense(finite: OutputId) -> Option<Checks> {
+    Some(Checks { finite, failure: Failure::PartlyWritten })
+}
+
+/// Returns whether the matrices of a chain are computed entry by entry, not column by column in loops.
+fn is_dense(chain: &Chain, layout: &Layout) -> bool {
+    writes_matrices_out(!chain.repeats.is_empty(), layout.dof_count())
 }
 
 fn asks(chain: &Chain, request: Request) -> bool {

@@ -2,9 +2,11 @@
 
 mod closure_jacobian;
 mod compiler;
+mod derivatives;
 mod function_table;
 mod inverse_dynamics;
 pub mod layouts;
+mod mass_matrix;
 pub mod outputs;
 mod pipeline;
 mod point_storage;

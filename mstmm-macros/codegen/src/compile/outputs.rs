@@ -47,6 +47,12 @@ pub const BY_PARAMETERS: OutputId = OutputId::new("by_parameters");
 pub const REGRESSOR: OutputId = OutputId::new("regressor");
 /// The dynamic parameters.
 pub const DYNAMIC_PARAMETERS: OutputId = OutputId::new("dynamic_parameters");
+/// A matrix with one row and column for each rate, by columns.
+pub const MATRIX: OutputId = OutputId::new("matrix");
+/// The inverse of the mass matrix, by columns.
+pub const INVERSE_MASS_MATRIX: OutputId = OutputId::new("inverse_mass_matrix");
+/// Derivatives with respect to the accelerations, one column for each.
+pub const BY_ACCELERATIONS: OutputId = OutputId::new("by_accelerations");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

@@ -8,6 +8,7 @@ mod checks;
 mod closure;
 mod const_expr;
 mod constructor;
+mod derivatives;
 mod docs;
 mod drawing;
 mod error_types;
@@ -96,6 +97,7 @@ pub fn expand(
     let inputs = inputs::emit(&cx);
     let workspace = workspace::emit(&cx);
     let variation = variation::emit(&cx);
+    let derivatives = derivatives::emit(&cx);
     let ide_links = ide_links::emit(&cx);
     quote! {
         #constructor
@@ -104,6 +106,7 @@ pub fn expand(
         #inputs
         #workspace
         #variation
+        #derivatives
         #ide_links
     }
 }

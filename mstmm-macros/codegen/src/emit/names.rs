@@ -19,6 +19,10 @@ pub struct TypeNames {
     pub workspace: Ident,
     /// A variation of all arguments of forward dynamics.
     pub variation: Ident,
+    /// The derivatives of inverse dynamics.
+    pub derivatives: Ident,
+    /// The accelerations and their derivatives.
+    pub linearization: Ident,
 }
 
 impl TypeNames {
@@ -32,6 +36,8 @@ impl TypeNames {
             parameters: named("Parameters"),
             workspace: named("Workspace"),
             variation: named("Variation"),
+            derivatives: named("InverseDynamicsDerivatives"),
+            linearization: named("Linearization"),
         }
     }
 }

@@ -135,6 +135,18 @@ pub fn passive_efforts<S: Scalar>(
     efforts
 }
 
+/// Returns the efforts at all free rates that balance loads and springs between bodies.
+pub(super) fn external_efforts<S: Scalar>(
+    context: &EvalContext<S>,
+    axes: Axes,
+    trace: &mut Trace<S>,
+) -> Vec<S> {
+    let links = kinematics(context, axes, trace);
+    let required = loads(context, &links).into_iter().map(Wrench::reversed).collect();
+    let wrenches = hinge_wrenches(context, &links, required, trace);
+    by_rates(context, &links, &wrenches, along_rates)
+}
+
 /// Returns the product of the mass matrix with a vector, `M x`: the efforts for accelerations `x` of a
 /// chain at rest without gravity, loads and passive elements. Rotors are part of the mass matrix.
 pub fn mass_matrix_times<S: Scalar>(

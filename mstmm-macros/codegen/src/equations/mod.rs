@@ -28,13 +28,18 @@
 //! - `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody systems. Multibody System Dynamics 38 (2016).
 //! - R. Featherstone: Rigid Body Dynamics Algorithms. Springer 2008. Its notation is used unless the paper has its own.
 
+mod composite;
 mod constraint_forces;
+mod dense_matrix;
+mod derivatives;
 mod energy;
 mod forward_dynamics;
 mod free_base;
 pub mod hinge;
 mod inverse_dynamics;
+mod inverse_mass_matrix;
 mod kinematics;
+mod linearization;
 mod loads;
 mod loop_hinge;
 mod projection;
@@ -43,6 +48,7 @@ mod symbol_values;
 
 mod base_parameters;
 mod eval_context;
+mod flatten;
 mod hinge_wrenches;
 mod motion_problem;
 mod open_chain;
@@ -59,6 +65,9 @@ mod tangent;
 mod trace;
 mod transfer;
 
+pub use composite::mass_matrix;
+pub use dense_matrix::DenseMatrix;
+pub use derivatives::InverseDynamicsTangent;
 pub use energy::{Energy, energy};
 pub use eval_context::EvalContext;
 pub use forward_dynamics::{
@@ -69,7 +78,9 @@ pub use inverse_dynamics::{
     gravity_efforts, inverse_dynamics, inverse_dynamics_with_wrenches, mass_matrix_times,
     passive_efforts,
 };
+pub use inverse_mass_matrix::inverse_mass_matrix;
 pub use kinematics::{LinkKinematics, kinematics};
+pub use linearization::{Linearization, driven_rates, linearization};
 pub use motion_problem::HingePivot;
 pub use open_chain::OpenChain;
 pub use point_reader::{FramedVector, PointState};
@@ -79,7 +90,7 @@ pub use push::{PushedDynamics, missing_efforts, push};
 pub use regressor::{dynamic_parameters, regressor, regressor_times};
 pub use report::{Report, report};
 pub use springs::{SpringReport, spring_report};
-pub use strategy::{AXES, Axes};
+pub use strategy::{AXES, Axes, writes_matrices_out};
 pub use sweep::{Channel, LinkTree, LoopHook};
 pub use symbol_values::SymbolValues;
 pub use tangent::{Direction, Tangent};

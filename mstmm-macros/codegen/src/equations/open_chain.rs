@@ -7,6 +7,8 @@
 //! ```
 
 use super::base_parameters::{OriginalInertia, to_base_parameters};
+use super::composite::{outward_rates, unit_vector};
+use super::dense_matrix::DenseMatrix;
 use super::forward_dynamics::motion_problem;
 use super::kinematics::{BiasAcceleration, LinkKinematics};
 use super::motion_problem::{HingePivot, MotionProblem};
@@ -78,5 +80,27 @@ impl<'a, S: Scalar> OpenChain<'a, S> {
             .enumerate()
             .for_each(|(k, &entry)| trace.number(format!("product{k}"), entry));
         (product, pivots)
+    }
+
+    /// Returns `M⁻¹`, with the pivots. Of each pair of symmetric entries one is computed: that of the column
+    /// of the hinge further outboard, whose accelerations are needed only up to this hinge.
+    pub fn inverse_mass_matrix(
+        &self,
+        trace: &mut Trace<S>,
+    ) -> (DenseMatrix<S>, Vec<HingePivot<S>>) {
+        let count = self.context.layout.dof_count();
+        let mut matrix = DenseMatrix::zero(count, count);
+        let mut pivots = Vec::new();
+        let outward = outward_rates(self.context.layout);
+        for (number, &(_, column)) in outward.iter().enumerate() {
+            let unit = unit_vector(count, column);
+            let (product, of_solution) = self.inverse_mass_matrix_times(&unit, trace);
+            for &(_, row) in &outward[..=number] {
+                matrix.set(row, column, product[row]);
+                matrix.set(column, row, product[row]);
+            }
+            pivots = of_solution;
+        }
+        (matrix, pivots)
     }
 }

@@ -48,6 +48,28 @@ pub fn keeps_affine_wrenches(is_closed: bool) -> bool {
     !is_closed
 }
 
+/// The largest number of rates for which matrices are written out entry by entry.
+///
+/// The code grows with the square of the number, that of products of matrices with the cube. Matrices of
+/// more rates are computed column by column, in loops over products with unit vectors.
+pub const MAX_DENSE_RATES: usize = 40;
+
+/// Whether the inverse of the mass matrix follows from factors of the mass matrix, not from the factors of
+/// the Riccati transfer; and whether accelerations, if this inverse is there, are its product with the
+/// efforts.
+///
+/// Factors of the matrix cost the cube of the number of rates, the Riccati transfer costs more for each
+/// link. The inverse of D7 takes 705 instead of 1257 operations, that of B3 about 900 instead of 552. For many
+/// rates the factors of the matrix lose digits, by the ratio of its largest entries to the pivots.
+pub fn factorizes_mass_matrix(rates: usize, links: usize) -> bool {
+    rates <= 12 && 2 * rates <= 3 * links
+}
+
+/// Whether the matrices of a chain are written out entry by entry.
+pub fn writes_matrices_out(has_repeats: bool, rates: usize) -> bool {
+    !has_repeats && rates <= MAX_DENSE_RATES
+}
+
 /// Whether forward dynamics uses base parameters.
 ///
 /// Base parameters save 2 to 5 % of the time. In inertial axes they save nothing, since the

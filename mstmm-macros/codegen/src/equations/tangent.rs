@@ -10,7 +10,7 @@ use super::{EvalContext, SymbolValues};
 use crate::math::{Dual, Scalar};
 
 /// A direction in which a chain changes. An empty vector stands for zeros.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Direction<S> {
     /// Along the rates: the small displacement `δ` of the coordinates.
     pub coordinates: Vec<S>,
@@ -22,6 +22,19 @@ pub struct Direction<S> {
     pub inputs: Vec<S>,
     /// The change of the parameters.
     pub parameters: Vec<S>,
+}
+
+impl<S> Default for Direction<S> {
+    /// Nothing changes.
+    fn default() -> Self {
+        Direction {
+            coordinates: Vec::new(),
+            rates: Vec::new(),
+            accelerations: Vec::new(),
+            inputs: Vec::new(),
+            parameters: Vec::new(),
+        }
+    }
 }
 
 /// The arguments of a chain as dual numbers, from which [`Tangent::context`] makes a context.

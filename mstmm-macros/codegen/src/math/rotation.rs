@@ -120,6 +120,22 @@ impl<S: Scalar> Rotation<S> {
         self.matrix * vector
     }
 
+    /// Returns `R A Rᵀ` of a tensor.
+    pub fn rotate_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
+        match &self.steps {
+            Some((step, mount)) => *mount * step.rotate_tensor(tensor) * mount.transposed(),
+            None => self.matrix * tensor * self.matrix.transposed(),
+        }
+    }
+
+    /// Returns `R A Rᵀ` of a symmetric tensor.
+    pub fn rotate_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
+        match &self.steps {
+            Some((step, mount)) => mount.rotate_tensor(step.rotate_symmetric(tensor)),
+            None => self.matrix.rotate_tensor(tensor),
+        }
+    }
+
     /// Rotates a vector by the inverse rotation.
     pub fn rotate_back(&self, vector: Vec3<S>) -> Vec3<S> {
         self.matrix.transposed() * vector

@@ -47,12 +47,20 @@ pub enum Answer {
     RegressorTimes,
     /// The dynamic parameters.
     DynamicParameters,
+    /// The mass matrix.
+    MassMatrix,
+    /// The inverse of the mass matrix.
+    InverseMassMatrix,
+    /// The derivatives of inverse dynamics.
+    InverseDynamicsDerivatives,
+    /// The accelerations with the inverse of the mass matrix, and derivatives of inverse dynamics.
+    Linearization,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 22] = [
+    pub const ALL: [Answer; 26] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -75,6 +83,10 @@ impl Answer {
         Answer::Regressor,
         Answer::RegressorTimes,
         Answer::DynamicParameters,
+        Answer::MassMatrix,
+        Answer::InverseMassMatrix,
+        Answer::InverseDynamicsDerivatives,
+        Answer::Linearization,
     ];
 
     /// Returns its name in the text of a program.
@@ -102,6 +114,10 @@ impl Answer {
             Answer::Regressor => "regressor",
             Answer::RegressorTimes => "regressor_times",
             Answer::DynamicParameters => "dynamic_parameters",
+            Answer::MassMatrix => "mass_matrix",
+            Answer::InverseMassMatrix => "inverse_mass_matrix",
+            Answer::InverseDynamicsDerivatives => "inverse_dynamics_derivatives",
+            Answer::Linearization => "linearization",
         }
     }
 }

@@ -218,9 +218,8 @@ impl Lowering<'_> {
         for output in &self.function.outputs {
             let array = self.result(output);
             let results = &self.program.results[self.function.entries_of(output.id)];
-            let by_entry = output.written != Written::Together
-                && failure == Some(Failure::Reset)
-                && !self.looped;
+            let is_early = failure.is_some_and(Failure::allows_early_stores);
+            let by_entry = output.written != Written::Together && is_early && !self.looped;
             let constants_once = output.written == Written::ByEntryOnceIfConstant;
             for (number, segment) in output.layout.segments.iter().enumerate() {
                 let entries = &results[segment.entries()];

@@ -269,6 +269,15 @@ pub enum Failure {
     Untouched,
     /// The results are reset to their initial values.
     Reset,
+    /// Some entries of the results have new values, others keep the previous ones.
+    PartlyWritten,
+}
+
+impl Failure {
+    /// Returns whether results may be written before they are checked.
+    pub fn allows_early_stores(self) -> bool {
+        self != Failure::Untouched
+    }
 }
 
 impl Procedure {

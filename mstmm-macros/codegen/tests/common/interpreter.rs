@@ -108,7 +108,7 @@ pub fn run<S: Judge>(procedure: &Procedure, arrays: &mut Arrays<S>) -> Result<()
     match (&ran, procedure.failure) {
         (Ok(()), _) => *arrays = machine.arrays,
         (Err(_), Failure::Reset) => arrays.reset(procedure),
-        (Err(_), Failure::Untouched) => {}
+        (Err(_), Failure::Untouched | Failure::PartlyWritten) => {}
     }
     ran
 }

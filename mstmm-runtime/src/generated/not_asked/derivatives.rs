@@ -23,6 +23,13 @@ impl<C> NotAsked<C> {
     {
         Self::answer()
     }
+
+    pub fn inverse_dynamics_derivatives<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksDerivatives,
+    {
+        Self::answer()
+    }
 }
 
 /// Chains whose description asks for `linearize`.
@@ -35,6 +42,13 @@ pub trait AsksLinearize: Unanswered {}
 
 impl<C> NotAsked<C> {
     pub fn linearize_into<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksLinearize,
+    {
+        Self::answer()
+    }
+
+    pub fn linearize<R>(&self, _: impl Sized, _: impl Sized) -> R
     where
         Self: AsksLinearize,
     {

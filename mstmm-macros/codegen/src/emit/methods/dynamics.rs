@@ -4,7 +4,7 @@ use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
 use super::super::procedure::field;
 use super::super::{EmitContext, docs, quaternions};
-use super::{MethodTemplate, fallible, new, of_state, of_state_and_inputs};
+use super::{MethodTemplate, fallible, mass_matrix, new, of_state, of_state_and_inputs};
 use crate::compile::outputs;
 use crate::model::Answer;
 use crate::program::OutputId;
@@ -86,7 +86,7 @@ pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
 }
 
 /// The functions with a form that returns by value, and what it does.
-const BY_VALUE: [(Answer, &str); 7] = [
+const BY_VALUE: [(Answer, &str); 9] = [
     (Answer::Accelerations, "Returns the accelerations `v̇` of all hinges"),
     (Answer::BiasEfforts, "Returns the bias efforts"),
     (Answer::InverseDynamics, "Returns the efforts that the drives must supply"),
@@ -97,6 +97,8 @@ const BY_VALUE: [(Answer, &str); 7] = [
         Answer::InverseMassMatrixTimes,
         "Returns the product of the inverse of the mass matrix with a vector",
     ),
+    (Answer::MassMatrix, "Returns the mass matrix"),
+    (Answer::InverseMassMatrix, "Returns the inverse of the mass matrix"),
 ];
 
 fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
@@ -110,6 +112,16 @@ fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
             (of_vector(cx), quote!(state_, inputs_, vector_))
         }
         _ => (of_state_and_inputs(cx), quote!(state_, inputs_)),
+    };
+    let (returned, zeros) = match answer {
+        Answer::MassMatrix | Answer::InverseMassMatrix => (
+            mass_matrix::square(cx),
+            quote!(#mstmm::generated::matrix([[T::constant(0.0); #count]; #count])),
+        ),
+        _ => (
+            quote!(#mstmm::nalgebra::SVector<T, #count>),
+            quote!(#mstmm::generated::vector([T::constant(0.0); #count])),
+        ),
     };
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let doc = format!(" {what}; see [`{name}_into`](Self::{name}_into).");
@@ -126,9 +138,9 @@ fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
         #visibility fn #name(
             &self,
             #given
-        ) -> ::core::result::Result<#mstmm::nalgebra::SVector<T, #count>, #mstmm::Error> {
+        ) -> ::core::result::Result<#returned, #mstmm::Error> {
             #checked
-            let mut rates_ = #mstmm::generated::vector([T::constant(0.0); #count]);
+            let mut rates_ = #zeros;
             self.#into(#passed, &mut rates_)?;
             ::core::result::Result::Ok(rates_)
         }

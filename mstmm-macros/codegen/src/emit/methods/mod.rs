@@ -1,8 +1,10 @@
 //! The generated methods, one for each function of the table.
 
 mod closure_jacobian;
+mod derivatives;
 mod dynamics;
 mod inverse_dynamics;
+mod mass_matrix;
 mod products;
 mod regressor;
 mod state;
@@ -41,6 +43,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let name = &cx.names.chain;
     let methods = cx.compiled.functions.iter().map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
+    let derivatives = derivatives::by_value(cx);
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
     let regressor = regressor::others(cx);
@@ -52,6 +55,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         impl<T: #mstmm::Scalar> #name<T> {
             #(#methods)*
             #(#by_value)*
+            #derivatives
             #energy
             #closure_jacobian
             #regressor
@@ -106,6 +110,10 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::Regressor => regressor::regressor(cx),
         Answer::RegressorTimes => regressor::regressor_times(cx),
         Answer::DynamicParameters => regressor::dynamic_parameters(cx),
+        Answer::MassMatrix => mass_matrix::mass_matrix(cx),
+        Answer::InverseMassMatrix => mass_matrix::inverse_mass_matrix(cx),
+        Answer::InverseDynamicsDerivatives => derivatives::inverse_dynamics_derivatives(cx),
+        Answer::Linearization => derivatives::linearization(cx),
     }
 }
 

@@ -1,0 +1,195 @@
+//! The methods for the derivatives of inverse dynamics and of the accelerations.
+
+use super::super::arrays::usize_literal;
+use super::super::printer::Destination;
+use super::super::{EmitContext, quaternions};
+use super::dynamics::of_accelerations;
+use super::{MethodTemplate, fallible, of_state_and_inputs};
+use crate::compile::{layouts, outputs};
+use crate::model::{Answer, InputKind};
+use crate::program::OutputId;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+pub(super) fn inverse_dynamics_derivatives(cx: &EmitContext) -> MethodTemplate {
+    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let (given, derivatives) = (of_accelerations(cx), &cx.names.derivatives);
+    MethodTemplate {
+        name: quote!(#visibility fn inverse_dynamics_derivatives_into),
+        docs: [
+            quote! {
+                #[doc(alias("computeRNEADerivatives", "mjd_inverseFD", "dtau_dq", "stiffness matrix"))]
+                /// Computes the exact derivatives of inverse dynamics with respect to coordinates, rates and
+                /// accelerations, at given accelerations `v̇`.
+                ///
+                /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
+                /// derivative is that of one side.
+                #(#[doc = #near_one])*
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::NotFinite` if the state, the accelerations or the inputs are not finite. Entries of
+                /// `derivatives` may then be overwritten.
+            },
+        ],
+        arguments: quote!(#given derivatives_: &mut #derivatives<T>,),
+        returns: fallible(cx, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(::core::result::Result::Ok(())),
+        destination: |cx, id: OutputId| {
+            let place = match id {
+                outputs::BY_COORDINATES => quote!(derivatives_.by_coordinates),
+                outputs::BY_RATES => quote!(derivatives_.by_rates),
+                outputs::BY_ACCELERATIONS => quote!(derivatives_.by_accelerations),
+                _ => bug!("the derivatives have no place for `{}`", id.name),
+            };
+            Destination::Matrix(place, cx.rates().total)
+        },
+    }
+}
+
+pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
+    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let (given, linearization) = (of_state_and_inputs(cx), &cx.names.linearization);
+    let products = products(cx);
+    MethodTemplate {
+        name: quote!(#visibility fn linearize_into),
+        docs: [
+            quote! {
+                #[doc(alias("computeABADerivatives", "mjd_transitionFD", "ddq_dq", "FirstOrderTaylorApproximation", "state space"))]
+                /// Computes the accelerations and their exact derivatives with respect to coordinates, rates, inputs
+                /// and parameters. `a()` and `b()` of the result are the matrices of `ẋ = A x + B u`.
+                ///
+                /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
+                /// derivative is that of one side. The operations below do not include the products with `−M⁻¹`, which
+                /// are loops.
+                #(#[doc = #near_one])*
+            },
+            quote! {
+                ///
+                /// # Errors
+                ///
+                /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+                /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `linearization` may then
+                /// be overwritten.
+            },
+        ],
+        arguments: quote!(#given linearization_: &mut #linearization<T>,),
+        returns: fallible(cx, &quote!(())),
+        opening: TokenStream::new(),
+        end: quote!(#products ::core::result::Result::Ok(())),
+        destination: |cx, id: OutputId| {
+            let place = match id {
+                outputs::ACCELERATIONS => {
+                    return Destination::Vector(quote!(linearization_.accelerations));
+                }
+                outputs::INVERSE_MASS_MATRIX => quote!(linearization_.inverse_mass_matrix),
+                outputs::BY_COORDINATES => quote!(linearization_.by_coordinates),
+                outputs::BY_RATES => quote!(linearization_.by_rates),
+                outputs::BY_INPUTS => quote!(linearization_.by_inputs),
+                outputs::BY_PARAMETERS => quote!(linearization_.by_parameters),
+                _ => bug!("a linearization has no place for `{}`", id.name),
+            };
+            Destination::Matrix(place, cx.rates().total)
+        },
+    }
+}
+
+/// Returns the statements that multiply derivatives of inverse dynamics by `−M⁻¹`, and set what `a()` needs.
+fn products(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let product = |columns: TokenStream| {
+        quote! {
+            #mstmm::generated::multiply_by_negative(&linearization_.inverse_mass_matrix, #columns);
+        }
+    };
+    let mut statements = product(quote!(&mut linearization_.by_coordinates.data.0));
+    statements.extend(product(quote!(&mut linearization_.by_rates.data.0)));
+    // The columns of motors are those of the inverse.
+    for input in &cx.layout.inputs {
+        if !matches!(input.what, InputKind::Efforts(_)) {
+            let [start, end] = [input.range.start, input.range.end].map(usize_literal);
+            let product = product(quote!(columns_));
+            statements.extend(quote! {
+                if let ::core::option::Option::Some(columns_) =
+                    linearization_.by_inputs.data.0.get_mut(#start..#end)
+                {
+                    #product
+                }
+            });
+        }
+    }
+    if layouts::parameters(cx.chain).total > 0 {
+        statements.extend(product(quote!(&mut linearization_.by_parameters.data.0)));
+    }
+    let state = set_state(cx);
+    quote!(#statements #state)
+}
+
+/// Returns the statement that sets what `a()` needs: the rates, and the index of the first rate of each rotation in space.
+fn set_state(cx: &EmitContext) -> TokenStream {
+    let layout = cx.rates();
+    let mut rotations = Vec::new();
+    for (hinge, free) in cx.chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed()) {
+        for group in free.kind.spec().groups {
+            if group.rotational && group.rates.len() == 3 {
+                let first = cx.layout.v[hinge].start + group.rates.start;
+                let segment = layout.segment_of(first);
+                let of = |k: usize| segment.offset + first - segment.first + k * segment.count;
+                rotations.extend((0..segment.repetitions).map(|k| usize_literal(of(k))));
+            }
+        }
+    }
+    quote!(linearization_.set_state(&state_.v, &[#(#rotations),*]);)
+}
+
+/// Returns the methods that return derivatives by value.
+pub(super) fn by_value(cx: &EmitContext) -> TokenStream {
+    let visibility = &cx.passthrough.visibility;
+    let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
+    let (accelerations, given) = (of_accelerations(cx), of_state_and_inputs(cx));
+    let (derivatives, linearization) = (&cx.names.derivatives, &cx.names.linearization);
+    let mut methods = TokenStream::new();
+    if cx.compiled.find(Answer::InverseDynamicsDerivatives).is_some() {
+        let returns = fallible(cx, &quote!(#derivatives<T>));
+        methods.extend(quote! {
+            /// Returns the derivatives of inverse dynamics; see
+            /// [`inverse_dynamics_derivatives_into`](Self::inverse_dynamics_derivatives_into).
+            ///
+            /// # Errors
+            ///
+            /// Those of [`inverse_dynamics_derivatives_into`](Self::inverse_dynamics_derivatives_into).
+            #(#[doc = #errors])*
+            #[inline]
+            #visibility fn inverse_dynamics_derivatives(&self, #accelerations) -> #returns {
+                #checked
+                let mut derivatives_ = <#derivatives<T> as ::core::default::Default>::default();
+                self.inverse_dynamics_derivatives_into(
+                    state_, accelerations_, inputs_, &mut derivatives_,
+                )?;
+                ::core::result::Result::Ok(derivatives_)
+            }
+        });
+    }
+    if cx.compiled.find(Answer::Linearization).is_some() {
+        let returns = fallible(cx, &quote!(#linearization<T>));
+        methods.extend(quote! {
+            /// Returns the accelerations and their derivatives; see [`linearize_into`](Self::linearize_into).
+            ///
+            /// # Errors
+            ///
+            /// Those of [`linearize_into`](Self::linearize_into).
+            #(#[doc = #errors])*
+            #[inline]
+            #visibility fn linearize(&self, #given) -> #returns {
+                #checked
+                let mut linearization_ = <#linearization<T> as ::core::default::Default>::default();
+                self.linearize_into(state_, inputs_, &mut linearization_)?;
+                ::core::result::Result::Ok(linearization_)
+            }
+        });
+    }
+    methods
+}
