@@ -9,6 +9,7 @@ mod not_asked;
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
 
+pub use crate::kinematics::{RateRun, inverse_of_positive, inverse_operational_space_inertia};
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
 pub use columns::columns;

@@ -112,6 +112,7 @@ mod error;
 pub mod generated;
 pub mod hinge;
 pub mod integrate;
+mod kinematics;
 #[cfg(feature = "wide")]
 pub mod lanes;
 pub mod linear;
@@ -137,6 +138,10 @@ pub use hinge::{
     SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
+pub use kinematics::{
+    BodyKinematics, BodyMotion, HasJacobian, LineMotion, NoColumns, PlaneMotion, PointKinematics,
+    RateColumns, SpaceMotion,
+};
 pub use linearization::{InverseDynamicsDerivatives, Linearization};
 pub use loop_closure::LoopClosure;
 pub use nalgebra;

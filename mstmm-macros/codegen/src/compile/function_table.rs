@@ -24,7 +24,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 26] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 27] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -190,6 +190,14 @@ pub(super) static FUNCTIONS: [FunctionSpec; 26] = [
         when: |chain, _, layout| asks(chain, Request::Linearize) && is_dense(chain, layout),
         trace: |chain| chain.linearization(),
         checks: dense(outputs::ACCELERATIONS),
+    },
+    FunctionSpec {
+        answer: Answer::Kinematics,
+        when: |chain, _, _| {
+            [Request::Kinematics, Request::Jacobian].iter().any(|&it| asks(chain, it))
+        },
+        trace: |chain| chain.kinematics(),
+        checks: Some(Checks { finite: outputs::MOTIONS, failure: Failure::Reset }),
     },
 ];
 

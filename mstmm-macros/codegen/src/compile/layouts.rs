@@ -2,7 +2,7 @@
 
 use super::PointStorage;
 use crate::ids::{HingeId, RepeatId};
-use crate::model::{Chain, ConnectionPoints, DynamicParameter, Input, Layout};
+use crate::model::{Chain, ConnectionPoints, Dimension, DynamicParameter, Input, Layout};
 use crate::program::ArrayLayout;
 
 /// Returns the layout of items, each with its number of entries and its repeated part.
@@ -73,6 +73,37 @@ pub fn input(chain: &Chain, input: &Input) -> ArrayLayout {
 /// Returns the layout of one entry for every connection point.
 pub fn points(chain: &Chain, points: &ConnectionPoints) -> ArrayLayout {
     of(chain, points.points.iter().map(|point| (1, point.repeat)))
+}
+
+/// Returns the layout of one entry for every body on the routes.
+pub fn bodies(chain: &Chain) -> ArrayLayout {
+    of(chain, chain.physical_bodies().map(|body| (1, chain.repeat_of_body(body))))
+}
+
+/// Returns the number of stored values of a body's motion.
+pub fn motion_count(dimension: Dimension) -> usize {
+    let (translations, rotations) = (dimension.translations().len(), dimension.rotations().len());
+    3 * translations + dimension.columns() * translations + 2 * rotations
+}
+
+/// Returns the layout of the motions of all bodies on the routes.
+pub fn motions(chain: &Chain) -> ArrayLayout {
+    let count = motion_count(chain.dimension);
+    of(chain, chain.physical_bodies().map(|body| (count, chain.repeat_of_body(body))))
+}
+
+/// Returns the layout of the columns of all rates.
+pub fn columns(chain: &Chain, layout: &Layout) -> ArrayLayout {
+    let rows = chain.dimension.axes().len();
+    of_hinges(chain, |hinge| rows * layout.v[hinge].len())
+}
+
+/// Returns the layout of the frames of bodies that parameters change.
+pub fn changing_frames(chain: &Chain) -> ArrayLayout {
+    let frames = chain.changing_frames();
+    let items =
+        frames.iter().map(|(body, _, values)| (values.all().count(), chain.repeat_of_body(*body)));
+    of(chain, items)
 }
 
 /// Returns the layout of the results of all springs: length, rate of the length, tension, and the components of the force.

@@ -5,6 +5,7 @@ mod compiler;
 mod derivatives;
 mod function_table;
 mod inverse_dynamics;
+mod kinematics;
 pub mod layouts;
 mod mass_matrix;
 pub mod outputs;
@@ -12,12 +13,14 @@ mod pipeline;
 mod point_storage;
 mod pull;
 mod push;
+mod rate_paths;
 mod regressor;
 mod solution;
 mod text;
 mod unknowns;
 
 pub use point_storage::{PointStorage, StoredFramedVector, StoredPoint, StoredVector};
+pub use rate_paths::RatePaths;
 pub use text::chain_text;
 
 use crate::examine::Findings;

@@ -53,6 +53,12 @@ pub const MATRIX: OutputId = OutputId::new("matrix");
 pub const INVERSE_MASS_MATRIX: OutputId = OutputId::new("inverse_mass_matrix");
 /// Derivatives with respect to the accelerations, one column for each.
 pub const BY_ACCELERATIONS: OutputId = OutputId::new("by_accelerations");
+/// The motions of all bodies at zero accelerations.
+pub const MOTIONS: OutputId = OutputId::new("motions");
+/// The motions that the rates cause, at the inertial origin.
+pub const COLUMNS: OutputId = OutputId::new("columns");
+/// The frames of bodies that parameters change.
+pub const FRAMES: OutputId = OutputId::new("frames");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

@@ -161,7 +161,7 @@ fn own_name(cx: &EmitContext, body: &Body) -> Ident {
 }
 
 /// Returns the field for a named point.
-fn field(point: &Ident) -> Ident {
+pub fn field(point: &Ident) -> Ident {
     format_ident!("place_of_{point}", span = Span::call_site())
 }
 

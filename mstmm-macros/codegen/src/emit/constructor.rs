@@ -113,7 +113,7 @@ fn derive(cx: &EmitContext) -> TokenStream {
     let (mstmm, field) = (&cx.mstmm, sealed::field());
     let procedure = &cx.compiled.setup.procedure;
     let of_part = |part: RepeatId| helper(&format!("derived{}", part.index()));
-    let statements = cx.procedure(procedure, |id| {
+    let statements = cx.procedure(procedure, &TokenStream::new(), |id| {
         Destination::New(match (id, id.part) {
             (outputs::CHECKED, _) => helper("checks"),
             (_, Some(part)) => of_part(part),

@@ -55,8 +55,8 @@ pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
 /// or of the route may be a body type.
 fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
-    let of_chain =
-        ["State", "Parameters", "Workspace"].map(|suffix| format_ident!("{}{suffix}", name));
+    let of_chain = ["State", "Parameters", "Workspace", "Kinematics"]
+        .map(|suffix| format_ident!("{}{suffix}", name));
     let types = |part: &str, content: &ContentSyntax| {
         let described = content.blocks.iter().flat_map(|block| &block.names).map(PathSyntax::end);
         let items = content.routes.iter().flat_map(RouteSyntax::items);

@@ -7,9 +7,19 @@ use crate::program::{Array, ArrayRole, OutputId};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Returns the initial array of a result: zeros, and the values that are the same in every state.
+/// Returns the initial array of a result of the solution: zeros, and the values that are the same in every state.
 pub fn array(cx: &EmitContext, id: OutputId) -> TokenStream {
-    let array = result(cx, id);
+    of_array(cx, result(cx, id))
+}
+
+/// Returns the initial array of a result of an answer, if the answer has it.
+pub fn array_of(cx: &EmitContext, answer: Answer, id: OutputId) -> Option<TokenStream> {
+    let arrays = &cx.compiled.find(answer)?.procedure.arrays;
+    let array = arrays.iter().find(|array| array.role == ArrayRole::Result(id));
+    array.map(|array| of_array(cx, array))
+}
+
+fn of_array(cx: &EmitContext, array: &Array) -> TokenStream {
     let count = usize_literal(array.layout.total);
     let zeros = quote!([T::constant(0.0); #count]);
     let known = array.initial.iter().filter(|(_, value)| *value != 0.0).map(|&(entry, value)| {

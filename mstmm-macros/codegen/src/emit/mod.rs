@@ -17,6 +17,8 @@ mod ide_links;
 mod indexed_access;
 mod initial_values;
 mod inputs;
+mod kinematics;
+mod kinematics_bodies;
 mod loop_inputs;
 mod loops;
 mod methods;
@@ -96,6 +98,7 @@ pub fn expand(
     let state = state::emit(&cx);
     let inputs = inputs::emit(&cx);
     let workspace = workspace::emit(&cx);
+    let kinematics = kinematics::emit(&cx);
     let variation = variation::emit(&cx);
     let derivatives = derivatives::emit(&cx);
     let ide_links = ide_links::emit(&cx);
@@ -105,6 +108,7 @@ pub fn expand(
         #state
         #inputs
         #workspace
+        #kinematics
         #variation
         #derivatives
         #ide_links

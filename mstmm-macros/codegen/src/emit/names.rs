@@ -17,6 +17,8 @@ pub struct TypeNames {
     pub parameters: Ident,
     /// The workspace: the results.
     pub workspace: Ident,
+    /// The kinematics of all bodies.
+    pub kinematics: Ident,
     /// A variation of all arguments of forward dynamics.
     pub variation: Ident,
     /// The derivatives of inverse dynamics.
@@ -35,6 +37,7 @@ impl TypeNames {
             inputs: named("Inputs"),
             parameters: named("Parameters"),
             workspace: named("Workspace"),
+            kinematics: named("Kinematics"),
             variation: named("Variation"),
             derivatives: named("InverseDynamicsDerivatives"),
             linearization: named("Linearization"),

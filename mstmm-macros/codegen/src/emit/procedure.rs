@@ -18,10 +18,12 @@ use quote::{ToTokens, format_ident, quote};
 const NESTED_SCOPES: usize = 1000;
 
 impl EmitContext<'_> {
-    /// Returns the statements of a procedure whose results are written to their `destination`.
+    /// Returns the statements of a procedure whose results are written to their `destination`, or replaced by `fresh` ones
+    /// after a failure.
     pub fn procedure(
         &self,
         procedure: &Procedure,
+        fresh: &TokenStream,
         destination: impl Fn(OutputId) -> Destination,
     ) -> TokenStream {
         let of_array = |array: &Array| match array.role {
@@ -29,7 +31,7 @@ impl EmitContext<'_> {
             ArrayRole::Argument(_) | ArrayRole::Local(_) => None,
         };
         let mstmm = &self.mstmm;
-        let reset = quote!(#mstmm::generated::reset(at_, || self.workspace()););
+        let reset = quote!(#mstmm::generated::reset(at_, || #fresh););
         let statements = procedure.sections().map(|section| section.statements.len());
         let printer = Printer {
             cx: self,

@@ -38,6 +38,7 @@ mod free_base;
 pub mod hinge;
 mod inverse_dynamics;
 mod inverse_mass_matrix;
+mod jacobian;
 mod kinematics;
 mod linearization;
 mod loads;
@@ -79,6 +80,7 @@ pub use inverse_dynamics::{
     passive_efforts,
 };
 pub use inverse_mass_matrix::inverse_mass_matrix;
+pub use jacobian::{BodyMotion, ChainKinematics, chain_kinematics};
 pub use kinematics::{LinkKinematics, kinematics};
 pub use linearization::{Linearization, driven_rates, linearization};
 pub use motion_problem::HingePivot;

@@ -55,12 +55,14 @@ pub enum Answer {
     InverseDynamicsDerivatives,
     /// The accelerations with the inverse of the mass matrix, and derivatives of inverse dynamics.
     Linearization,
+    /// Motions of all bodies and columns of all rates, without dynamics.
+    Kinematics,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 26] = [
+    pub const ALL: [Answer; 27] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -87,6 +89,7 @@ impl Answer {
         Answer::InverseMassMatrix,
         Answer::InverseDynamicsDerivatives,
         Answer::Linearization,
+        Answer::Kinematics,
     ];
 
     /// Returns its name in the text of a program.
@@ -118,6 +121,7 @@ impl Answer {
             Answer::InverseMassMatrix => "inverse_mass_matrix",
             Answer::InverseDynamicsDerivatives => "inverse_dynamics_derivatives",
             Answer::Linearization => "linearization",
+            Answer::Kinematics => "kinematics",
         }
     }
 }

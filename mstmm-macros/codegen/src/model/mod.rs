@@ -4,6 +4,7 @@
 //! usual one.
 
 mod answer;
+mod body_frames;
 mod check;
 mod condition;
 mod connection_points;
@@ -25,6 +26,7 @@ mod value;
 
 pub use crate::ids::{BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId};
 pub use answer::Answer;
+pub use body_frames::{BodyFrame, FrameValues};
 pub use condition::{Bound, Condition, Requirement};
 pub use connection_points::{ConnectionPoint, ConnectionPoints, ElementPoints, Transmitted};
 pub use dynamic_parameters::{DynamicParameter, InertialParameter, PassiveElement};

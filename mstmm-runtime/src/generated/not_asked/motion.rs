@@ -26,6 +26,36 @@ impl<C> NotAsked<C> {
     }
 }
 
+/// Open chains whose description asks for `jacobian` and `mass_matrix`.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `jacobian` or `mass_matrix`, or the chain is closed",
+    label = "needs `answers = [jacobian, mass_matrix];`",
+    note = "add both words to the chain's list: `answers = […, jacobian, mass_matrix];`",
+    note = "a closed chain does not have this method"
+)]
+pub trait AsksJacobianOfOpenChain: Unanswered {}
+
+impl<C> NotAsked<C> {
+    pub fn operational_space_inertia<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksJacobianOfOpenChain,
+    {
+        Self::answer()
+    }
+
+    pub fn inverse_operational_space_inertia<R>(
+        &self,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+    ) -> R
+    where
+        Self: AsksJacobianOfOpenChain,
+    {
+        Self::answer()
+    }
+}
+
 /// Chains whose description asks for `momentum`.
 #[diagnostic::on_unimplemented(
     message = "the chain's setting `answers` omits `momentum`",

@@ -4,6 +4,7 @@ mod closure_jacobian;
 mod derivatives;
 mod dynamics;
 mod inverse_dynamics;
+mod kinematics;
 mod mass_matrix;
 mod products;
 mod regressor;
@@ -47,6 +48,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
     let regressor = regressor::others(cx);
+    let kinematics = kinematics::further(cx);
     let chain_impl = chain_impl::chain_impl(cx);
     let generated = chain_impl::generated(cx);
     let not_asked = chain_impl::not_asked(cx);
@@ -59,6 +61,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #energy
             #closure_jacobian
             #regressor
+            #kinematics
         }
         #chain_impl
         #generated
@@ -73,8 +76,12 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
         template(cx, answer);
     let procedure = &function.procedure;
     let [before, after] = docs;
+    let fresh = match answer {
+        Answer::Kinematics => quote!(::core::default::Default::default()),
+        _ => quote!(self.workspace()),
+    };
     let cost = docs::cost(procedure);
-    let statements = cx.procedure(procedure, |id| destination(cx, id));
+    let statements = cx.procedure(procedure, &fresh, |id| destination(cx, id));
     let body = body(quote!(#opening #statements), end);
     quote! {
         #before
@@ -114,6 +121,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::InverseMassMatrix => mass_matrix::inverse_mass_matrix(cx),
         Answer::InverseDynamicsDerivatives => derivatives::inverse_dynamics_derivatives(cx),
         Answer::Linearization => derivatives::linearization(cx),
+        Answer::Kinematics => kinematics::kinematics(cx),
     }
 }
 

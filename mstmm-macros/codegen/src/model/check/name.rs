@@ -40,6 +40,7 @@ const RESERVED: &[&str] = &[
     "point_",
     "vector_",
     "PLACES_",
+    "RUNS_",
 ];
 
 /// Fields that the inputs of a chain may have.
