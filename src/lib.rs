@@ -10,6 +10,21 @@ pub mod frames {}
 #[doc = include_str!("terms.md")]
 #[doc(alias("URDF", "xacro", "SDF", "MJCF", "Jacobian", "mass matrix", "crba", "sensor"))]
 #[doc(alias("tree", "branch", "site"))]
+#[doc(alias(
+    "rnea",
+    "aba",
+    "computeABADerivatives",
+    "computeJointTorqueRegressor",
+    "computeMinverse"
+))]
+#[doc(alias(
+    "mj_inverse",
+    "mj_fullM",
+    "mj_jac",
+    "mjd_transitionFD",
+    "CalcMassMatrix",
+    "Linearize"
+))]
 pub mod terms {}
 
 pub mod hinges;
