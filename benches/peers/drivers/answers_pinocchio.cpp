@@ -2,8 +2,8 @@
 //
 //     contender MODEL WHAT STATES RESULTS MILLISECONDS
 //
-// MODEL is a text file written by `models.py`, followed by the position of the tip on the last body. Results
-// stay in Pinocchio's data while the time is taken, and have its conventions.
+// MODEL is a text file written by `models.py`, followed by the index of a body and the position of the tip
+// on it. Results stay in Pinocchio's data while the time is taken, and have its conventions.
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
@@ -142,11 +142,12 @@ int main(int count, char **arguments) {
     std::ifstream file(arguments[1]);
     read_model(file);
     Eigen::Vector3d position;
+    pin::JointIndex body;
+    file >> body;
     for (int i = 0; i < 3; i++) file >> position[i];
     if (!file) fail("cannot read the tip");
     pin::SE3 placement(Eigen::Matrix3d::Identity(), position);
-    auto last = (pin::JointIndex)(model.njoints - 1);
-    tip = model.addFrame(pin::Frame("tip", last, placement, pin::OP_FRAME), false);
+    tip = model.addFrame(pin::Frame("tip", body, placement, pin::OP_FRAME), false);
     jacobian_of_tip.setZero(6, model.nv);
     data = new pin::Data(model);
     places = places_of((size_t)model.nq, (size_t)model.nv);

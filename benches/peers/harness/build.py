@@ -37,6 +37,8 @@ class Contender:
     """Whether several states are evaluated at once."""
     single: bool = False
     """Whether it computes in single precision."""
+    states: Path | None = None
+    """The file of states, if it is not the common one."""
 
 
 @dataclass(frozen=True)

@@ -60,7 +60,7 @@ def measure(
             if measured.failure:
                 continue
             # The first round also writes results.
-            files = [str(states), str(results) if index == 0 else "-"]
+            files = [str(measured.contender.states or states), str(results) if index == 0 else "-"]
             command = [*measured.contender.command, *files, str(milliseconds)]
             run = subprocess.run(command, capture_output=True, text=True, preexec_fn=lambda: confine(core))
             if run.returncode:

@@ -21,10 +21,10 @@ def for_pinocchio(case: Case) -> str:
     return "\n".join([first, *map(line, case.bodies)]) + "\n"
 
 
-def for_mujoco(case: Case, path: Path, tip: Vector | None = None) -> None:
+def for_mujoco(case: Case, path: Path, tip: tuple[int, Vector] | None = None) -> None:
     """Writes a compiled model, since MJCF cannot be nested a thousand levels deep.
 
-    Optionally with a site at a point of the last body.
+    Optionally with a site at a point of a body.
     """
     spec = mujoco.MjSpec()
     spec.option.timestep = 1e-3
@@ -56,5 +56,5 @@ def for_mujoco(case: Case, path: Path, tip: Vector | None = None) -> None:
             own.add_joint(type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
         bodies.append(own)
     if tip:
-        bodies[-1].add_site(pos=tip)
+        bodies[tip[0]].add_site(pos=tip[1])
     mujoco.mj_saveModel(spec.compile(), str(path))

@@ -10,6 +10,7 @@ from ..build import CASADI, NATIVE, PINOCCHIO, Builder, Contender, say
 from ..cases import Case
 from ..paths import DRIVERS, PACKAGES, ROOT
 from . import casadi_code, inverse, urdf_text
+from .order import DepthFirst
 from .questions import TIPS
 
 TOO_LARGE = {
@@ -62,6 +63,10 @@ class AnswersBuilder(Builder):
             peers.append(self.dynibo(case, question))
         return peers
 
+    def depth_first_states(self, case: Case) -> Path:
+        """Returns the file of the states in the order of Pinocchio and MuJoCo."""
+        return self.work / f"{case.name}.depth-first.states"
+
     def own(self, native: bool) -> Path:
         """Builds the answers of this library."""
         return self.cargo_build(native, "answers")
@@ -99,8 +104,12 @@ class AnswersBuilder(Builder):
         headers = [DRIVERS / "pinocchio_model.h", DRIVERS / "answers.h"]
         self._compile(binary, DRIVERS / "answers_pinocchio.cpp", flags, ["-lstdc++", "-lm"], headers)
         model = self.work / f"{case.name}.answers.txt"
-        model.write_text(models.for_pinocchio(case) + " ".join(map(repr, TIPS[case.name])) + "\n")
-        return Contender("Pinocchio", (str(binary), str(model), what))
+        depth_first = DepthFirst.of(case)
+        # The index of the ground is 0.
+        tip = " ".join(map(repr, [depth_first.tip + 1, *TIPS[case.name]]))
+        model.write_text(models.for_pinocchio(depth_first.case) + tip + "\n")
+        command = (str(binary), str(model), what)
+        return Contender("Pinocchio", command, states=self.depth_first_states(case))
 
     def mujoco(self, case: Case, what: str) -> Contender:
         package = PACKAGES / "mujoco"
@@ -110,8 +119,10 @@ class AnswersBuilder(Builder):
         binary = self.work / "answers-mujoco"
         self._compile(binary, DRIVERS / "answers_mujoco.c", flags, link, [DRIVERS / "answers.h"])
         model = self.work / f"{case.name}.answers.mjb"
-        models.for_mujoco(case, model, TIPS[case.name])
-        return Contender("MuJoCo", (str(binary), str(model), what))
+        depth_first = DepthFirst.of(case)
+        models.for_mujoco(depth_first.case, model, (depth_first.tip, TIPS[case.name]))
+        command = (str(binary), str(model), what)
+        return Contender("MuJoCo", command, states=self.depth_first_states(case))
 
     def dynibo(self, case: Case, what: str) -> Contender:
         folder = self.work / "dynibo"

@@ -71,10 +71,10 @@ class Pinocchio:
         return matrix @ np.swapaxes(self.axes, 1, 2) if self.case.floating else matrix
 
     def regressor(self, results: Array) -> Array:
-        """The parameters of a body are m, h, xx, xy, yy, xz, yz and zz."""
-        matrix = results.reshape(len(results), self.n, -1)
-        matrix = self.axes @ matrix if self.case.floating else matrix
-        return matrix
+        """The parameters of a body are m, h, xx, xy, yy, xz, yz and zz; here xx, yy, zz, xy, xz, yz."""
+        matrix = results.reshape(len(results), self.n, -1, 10)[..., [0, 1, 2, 3, 4, 6, 9, 5, 7, 8]]
+        matrix = matrix.reshape(len(results), self.n, -1)
+        return np.asarray(self.axes @ matrix) if self.case.floating else matrix
 
     def derivatives(self, results: Array) -> Array:
         """By coordinates, rates and accelerations, without the efforts."""
@@ -136,21 +136,20 @@ class Pinocchio:
         return result
 
 
-def mujoco_linearize(case: Case, results: Array, step: float) -> Array:
-    """Returns the derivatives of the accelerations from the matrix of a step of the semi-implicit Euler method.
+def mujoco(case: Case, question: str, results: Array, step: float) -> Array:
+    """Derivatives of inverse dynamics are transposed; those of accelerations are in the matrix of a step.
 
-    The rates after the step are v + step · accelerations.
+    The rates after a step of the semi-implicit Euler method are v + step · accelerations.
     """
     n = case.rates
-    rows = results.reshape(-1, 2 * n, 2 * n)[:, n:]
-    by_q, by_v = rows[:, :, :n] / step, (rows[:, :, n:] - np.eye(n)) / step
-    return np.concatenate([by_q.reshape(len(rows), -1), by_v.reshape(len(rows), -1)], axis=1)
-
-
-def mujoco_derivatives(case: Case, results: Array) -> Array:
-    """Returns the derivatives of inverse dynamics; MuJoCo's are transposed."""
-    matrices = np.swapaxes(results.reshape(-1, 3, case.rates, case.rates), 2, 3)
-    return matrices.reshape(len(results), -1)
+    if question == "derivatives":
+        matrices = np.swapaxes(results.reshape(-1, 3, n, n), 2, 3)
+        return matrices.reshape(len(results), -1)
+    if question == "linearize":
+        rows = results.reshape(-1, 2 * n, 2 * n)[:, n:]
+        by_q, by_v = rows[:, :, :n] / step, (rows[:, :, n:] - np.eye(n)) / step
+        return np.concatenate([by_q.reshape(len(rows), -1), by_v.reshape(len(rows), -1)], axis=1)
+    return results
 
 
 def dynibo(case: Case, question: str, states: States, results: Array) -> Array:

@@ -27,9 +27,7 @@ class Figures:
 
     def user_of_casadi(self, case: str, question: str) -> float | None:
         """Returns the time of CasADi's derivative of forward dynamics."""
-        names = ["CasADi", "CasADi, fast math"]
-        times = [self.times[key] for name in names if (key := (case, question, name)) in self.times]
-        return min(times, default=None)
+        return self.times.get((case, question, "CasADi"))
 
 
 @dataclass(frozen=True)

@@ -65,6 +65,10 @@ class States:
     direction: Array
     weights: Array
 
+    def write(self, path: Path) -> None:
+        parts = [self.q, self.v, self.efforts, self.accelerations, self.direction, self.weights]
+        np.concatenate(parts, axis=1).tofile(path)
+
 
 def parts(case: Case, numbers: Array) -> States:
     n = case.rates
@@ -73,7 +77,24 @@ def parts(case: Case, numbers: Array) -> States:
     return States(*columns)
 
 
-def write_states(case: Case, basic: Path, path: Path) -> States:
+def shapes(case: Case, question: str) -> list[list[tuple[str, int]]]:
+    """Returns what the rows and columns of the matrices and vectors of an answer belong to, and their numbers."""
+    n = case.rates
+    rates, motors = ("rates", n), ("motors", n - 6 if case.floating else n)
+    vector, matrix = [rates], [rates, rates]
+    return {
+        "mass_matrix": [matrix],
+        "inverse_mass_matrix": [matrix],
+        "jacobian": [[("velocity", 3), rates], [("angular velocity", 3), rates]],
+        "regressor": [[rates, ("parameters", 10 * len(case.bodies))]],
+        "derivatives": [matrix, matrix, matrix],
+        "linearize": [matrix, matrix, [rates, motors], vector],
+        "push": [vector, vector],
+        "pull": [vector, vector, [motors], vector],
+    }.get(question, [vector])
+
+
+def states_from(case: Case, basic: Path) -> States:
     """Extends states of coordinates, rates and efforts by the other parts."""
     n = case.rates
     states = np.fromfile(basic).reshape(-1, case.coordinates + 2 * n)
@@ -83,6 +104,4 @@ def write_states(case: Case, basic: Path, path: Path) -> States:
     if case.floating:
         # A floating base has no effort, and so no direction of an effort.
         others[:, 2 * n : 2 * n + 6] = 0.0
-    numbers = np.concatenate([states, accelerations, others], axis=1)
-    numbers.tofile(path)
-    return parts(case, numbers)
+    return parts(case, np.concatenate([states, accelerations, others], axis=1))

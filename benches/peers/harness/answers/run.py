@@ -14,7 +14,8 @@ from ..measure import Measured, measure
 from ..reference import Array
 from . import conventions, tables
 from .build import AnswersBuilder
-from .questions import ANSWER_CASES, QUESTIONS, States, count_of_states, write_states
+from .order import DepthFirst
+from .questions import ANSWER_CASES, QUESTIONS, States, count_of_states, shapes, states_from
 
 STEP = 1e-3
 """The step of MuJoCo's models in s."""
@@ -32,7 +33,7 @@ def main(options: argparse.Namespace) -> None:
     measured = []
     for name in options.cases:
         case = ANSWER_CASES[name]
-        path, states = states_of(own, case, options.work)
+        path, states = states_of(own, case, builder)
         for question in QUESTIONS:
             if options.questions and question.name not in options.questions:
                 continue
@@ -56,27 +57,30 @@ def is_wrong(rows: list[Measured]) -> bool:
     return bool(peers) and not min(peers) < LARGEST_DIFFERENCE
 
 
-def states_of(own: Path, case: Case, work: Path) -> tuple[Path, States]:
-    basic, path = work / f"{case.name}.basic.states", work / f"{case.name}.answers.states"
+def states_of(own: Path, case: Case, builder: AnswersBuilder) -> tuple[Path, States]:
+    """Writes the states, also in the order of Pinocchio and MuJoCo."""
+    basic, path = builder.work / f"{case.name}.basic.states", builder.work / f"{case.name}.answers.states"
     subprocess.run([own, "states", case.name, str(count_of_states(case)), basic], check=True)
-    return path, write_states(case, basic, path)
+    states = states_from(case, basic)
+    states.write(path)
+    DepthFirst.of(case).states(states).write(builder.depth_first_states(case))
+    return path, states
 
 
 def judge_of(case: Case, question: str, states: States) -> Callable[[Measured, Array], None]:
     """Returns the comparison of results with the first contender's, which are those of this library."""
     first: list[Array] = []
-    pinocchio = conventions.Pinocchio(case, states)
-    sizes = blocks(case, question)
+    depth_first = DepthFirst.of(case)
+    pinocchio = conventions.Pinocchio(depth_first.case, depth_first.states(states))
+    sizes = [int(np.prod([count for _, count in shape])) for shape in shapes(case, question)]
 
     def judge(measured: Measured, results: Array) -> None:
         rows = results.reshape(len(states.q), -1)
         name = measured.contender.name
         if name == "Pinocchio":
-            rows = pinocchio.convert(question, rows)
-        elif name == "MuJoCo" and question == "linearize":
-            rows = conventions.mujoco_linearize(case, rows, STEP)
-        elif name == "MuJoCo" and question == "derivatives":
-            rows = conventions.mujoco_derivatives(case, rows)
+            rows = depth_first.restore(question, pinocchio.convert(question, rows))
+        elif name == "MuJoCo":
+            rows = depth_first.restore(question, conventions.mujoco(case, question, rows, STEP))
         elif name == "dynibo":
             rows = conventions.dynibo(case, question, states, rows)
         if not first:
@@ -85,22 +89,6 @@ def judge_of(case: Case, question: str, states: States) -> Callable[[Measured, A
         measured.error, measured.typical_error = float(errors.max()), float(np.median(errors))
 
     return judge
-
-
-def blocks(case: Case, question: str) -> list[int]:
-    """Returns the sizes of the matrices and vectors of an answer."""
-    n = case.rates
-    motors = n - 6 if case.floating else n
-    return {
-        "mass_matrix": [n * n],
-        "inverse_mass_matrix": [n * n],
-        "jacobian": [3 * n, 3 * n],
-        "regressor": [n * 10 * len(case.bodies)],
-        "derivatives": [n * n, n * n, n * n],
-        "linearize": [n * n, n * n, n * motors, n],
-        "push": [n, n],
-        "pull": [n, n, motors, n],
-    }.get(question, [n])
 
 
 def differences(rows: Array, expected: Array, sizes: list[int]) -> Array:
@@ -112,7 +100,7 @@ def differences(rows: Array, expected: Array, sizes: list[int]) -> Array:
     start = 0
     for size in sizes:
         block = slice(start, start := start + size)
-        if start > min(rows.shape[1], expected.shape[1]):
+        if start > rows.shape[1]:
             break
         difference = np.abs(rows[:, block] - expected[:, block]).max(axis=1)
         result = np.maximum(result, difference / np.abs(expected[:, block]).max(axis=1))

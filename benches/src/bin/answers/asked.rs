@@ -16,8 +16,8 @@ pub trait Asked: GeneratedChain<Scalar: Lanes, State: Default> + Default {
     fn run(&self, question: &str, numbers: &[f64], task: Task) -> Option<Result<Run, Error>>;
 }
 
-/// Implements the trait, from the number of rates, how many of them are a floating base's, and the inputs with
-/// torques in the order of the rates.
+/// Implements the trait, from four numbers and from the inputs with torques in the order of the rates: the numbers
+/// of rates, of a floating base's rates, of dynamic parameters, and of the bodies' inertial parameters among them.
 macro_rules! asked {
     (
         $chain:ident,
@@ -59,16 +59,16 @@ const FLOATING: usize = 6;
 asked!(
     Panda,
     PandaVariation,
-    (7, 0),
+    (7, 0, 70, 70),
     |inputs, torques| each_hinge!(inputs, torques, j1 j2 j3 j4 j5 j6 j7)
 );
-asked!(Balls3, Balls3Variation, (9, 0), |inputs, torques| {
+asked!(Balls3, Balls3Variation, (9, 0, 30, 30), |inputs, torques| {
     let hinges = [&mut inputs.j1, &mut inputs.j2, &mut inputs.j3];
     for (hinge, torque) in hinges.into_iter().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
     }
 });
-asked!(Balls30, Balls30Variation, (90, 0), |inputs, torques| {
+asked!(Balls30, Balls30Variation, (90, 0, 300, 300), |inputs, torques| {
     for (hinge, torque) in inputs.joint.iter_mut().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
     }
@@ -76,7 +76,7 @@ asked!(Balls30, Balls30Variation, (90, 0), |inputs, torques| {
 asked!(
     Hyq,
     HyqVariation,
-    (18, 6),
+    (18, 6, 142, 130),
     |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
         lf_haa lf_hfe lf_kfe rf_haa rf_hfe rf_kfe lh_haa lh_hfe lh_kfe rh_haa rh_hfe rh_kfe),
     |chain| {
@@ -84,7 +84,11 @@ asked!(
         let _ = chain.set_damping(T::constant(0.0));
     }
 );
-asked!(G1, G1Variation, (35, 6), |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
+asked!(
+    G1,
+    G1Variation,
+    (35, 6, 300, 300),
+    |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
     waist_yaw waist_roll waist_pitch
     left_leg_hip_pitch left_leg_hip_roll left_leg_hip_yaw
     left_leg_knee left_leg_ankle_pitch left_leg_ankle_roll
@@ -93,4 +97,5 @@ asked!(G1, G1Variation, (35, 6), |inputs, torques| each_hinge!(inputs, &torques[
     left_arm_shoulder_pitch left_arm_shoulder_roll left_arm_shoulder_yaw left_arm_elbow
     left_arm_wrist_roll left_arm_wrist_pitch left_arm_wrist_yaw
     right_arm_shoulder_pitch right_arm_shoulder_roll right_arm_shoulder_yaw right_arm_elbow
-    right_arm_wrist_roll right_arm_wrist_pitch right_arm_wrist_yaw));
+    right_arm_wrist_roll right_arm_wrist_pitch right_arm_wrist_yaw)
+);

@@ -6,15 +6,15 @@ macro_rules! answer {
         $chain:ident,
         $type:ident,
         $variation:ident,
-        ($rates:literal, $base:literal),
+        ($rates:literal, $base:literal, $columns:literal, $inertial:literal),
         $question:ident,
         $numbers:ident,
         $task:ident,
         $set:expr
     ) => {{
-        use mstmm::nalgebra::SVector;
+        use mstmm::nalgebra::{SMatrix, SVector};
 
-        use crate::sample::{Sample, perform, samples_of};
+        use crate::sample::{Sample, perform, rows, samples_of};
 
         let chain = &$chain;
         let direction_of = |[coordinates, rates, efforts]: [SVector<T, $rates>; 3]| {
@@ -26,7 +26,8 @@ macro_rules! answer {
         let samples: Vec<Sample<$type<T>, $variation<T>, $rates>> =
             samples_of(chain, $numbers, $set, direction_of);
         let (samples, task) = (samples.as_slice(), $task);
-        let vector = SVector::<T, $rates>::repeat(T::constant(0.0));
+        let zero = T::constant(0.0);
+        let vector = SVector::<T, $rates>::repeat(zero);
         let of_vector = |vector: &SVector<T, $rates>| vector.as_slice().to_vec();
         Some(match $question {
             "accelerations" => perform(
@@ -56,6 +57,24 @@ macro_rules! answer {
                 (vector, vector),
                 |s, (a, out)| chain.push_into(&s.state, &s.inputs, &s.direction, a, out),
                 |(a, out)| [of_vector(out), of_vector(a)].concat(),
+            ),
+            "pull" => perform(
+                samples,
+                task,
+                (vector, $variation::default()),
+                |s, (a, out)| chain.pull_into(&s.state, &s.inputs, &s.weights, a, out),
+                |(a, out)| {
+                    let parts =
+                        [out.coordinates.as_slice(), out.rates.as_slice(), out.inputs.as_slice()];
+                    [parts.concat(), of_vector(a)].concat()
+                },
+            ),
+            "regressor" => perform(
+                samples,
+                task,
+                SMatrix::<T, $rates, $columns>::repeat(zero),
+                |s, out| chain.regressor_into(&s.state, &s.accelerations, &s.inputs, out),
+                |out| rows(out, $inertial),
             ),
             _ => return None,
         })

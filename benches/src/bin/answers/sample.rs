@@ -14,7 +14,6 @@ pub struct Sample<C: GeneratedChain, V, const N: usize> {
     pub accelerations: SVector<C::Scalar, N>,
     /// Of coordinates, rates and efforts.
     pub direction: V,
-    #[expect(dead_code, reason = "for gradients, which are not timed yet")]
     pub weights: SVector<C::Scalar, N>,
 }
 
@@ -102,8 +101,11 @@ pub fn perform<T: Lanes, S, R>(
     Ok(Run { results, times: Some(times) })
 }
 
-/// Returns the entries of a matrix by rows.
-#[expect(dead_code, reason = "for matrices, which are not timed yet")]
-pub fn rows<T: Scalar, const R: usize, const C: usize>(matrix: &SMatrix<T, R, C>) -> Vec<T> {
-    matrix.transpose().as_slice().to_vec()
+/// Returns the entries of a matrix's first columns by rows.
+pub fn rows<T: Scalar, const R: usize, const C: usize>(
+    matrix: &SMatrix<T, R, C>,
+    columns: usize,
+) -> Vec<T> {
+    let row = |row: usize| (0..columns).map(move |column| matrix[(row, column)]);
+    (0..R).flat_map(row).collect()
 }
