@@ -1,5 +1,6 @@
 //! The chains that are asked.
 
+use mstmm::nalgebra::{SMatrix, SVector};
 use mstmm::{Error, GeneratedChain};
 use mstmm_benches::Lanes;
 
@@ -7,8 +8,11 @@ use crate::models::{
     Balls3, Balls3Variation, Balls30, Balls30Variation, G1, G1Variation, Hyq, HyqVariation, Panda,
     PandaVariation,
 };
-use crate::questions::answer;
-use crate::sample::{Run, Task};
+use crate::questions::{
+    inertial_of, jacobian, jacobian_of, matrices, regressor, regressor_of, samples_of, square_of,
+    vector_of, vectors,
+};
+use crate::sample::{Run, Sample, Task, entries, perform, rows, samples_of};
 
 /// A chain with answers.
 pub trait Asked: GeneratedChain<Scalar: Lanes, State: Default> + Default {
@@ -16,14 +20,18 @@ pub trait Asked: GeneratedChain<Scalar: Lanes, State: Default> + Default {
     fn run(&self, question: &str, numbers: &[f64], task: Task) -> Option<Result<Run, Error>>;
 }
 
-/// Implements the trait, from four numbers and from the inputs with torques in the order of the rates: the numbers
-/// of rates, of a floating base's rates, of dynamic parameters, and of the bodies' inertial parameters among them.
+/// Implements the trait, from [sizes](vector_of), the macros with the questions, the tip, and the inputs with torques in
+/// the order of the rates.
 macro_rules! asked {
     (
         $chain:ident,
         $variation:ident,
         $sizes:tt,
-        |$inputs:ident, $torques:ident| $set:expr $(, |$damped:ident| $remove:expr)?) => {
+        [$($questions:ident)*],
+        $tip:tt,
+        |$inputs:ident, $torques:ident| $set:expr
+        $(, |$damped:ident| $remove:expr)?
+    ) => {
         impl<T: Lanes> Asked for $chain<T> {
             fn run(
                 &self,
@@ -37,7 +45,13 @@ macro_rules! asked {
                     let $damped = &mut chain;
                     $remove;
                 )?
-                answer!(chain, $chain, $variation, $sizes, question, numbers, task, |$inputs, $torques| $set)
+                let chain = &chain;
+                let samples =
+                    samples_of!(chain, $chain, $variation, $sizes, numbers, |$inputs, $torques| $set);
+                None
+                    $(.or_else(|| {
+                        $questions!(chain, samples, task, question, $variation, $sizes, $tip)
+                    }))*
             }
         }
     };
@@ -59,16 +73,19 @@ const FLOATING: usize = 6;
 asked!(
     Panda,
     PandaVariation,
-    (7, 0, 70, 70),
+    (7, 0, 70, 70), [vectors jacobian regressor matrices],
+    (|at| Some(at.l7().output())),
     |inputs, torques| each_hinge!(inputs, torques, j1 j2 j3 j4 j5 j6 j7)
 );
-asked!(Balls3, Balls3Variation, (9, 0, 30, 30), |inputs, torques| {
+asked!(Balls3, Balls3Variation, (9, 0, 30, 30), [vectors jacobian regressor matrices],
+    (|at| Some(at.b3().output())), |inputs, torques| {
     let hinges = [&mut inputs.j1, &mut inputs.j2, &mut inputs.j3];
     for (hinge, torque) in hinges.into_iter().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
     }
 });
-asked!(Balls30, Balls30Variation, (90, 0, 300, 300), |inputs, torques| {
+asked!(Balls30, Balls30Variation, (90, 0, 300, 300), [vectors jacobian regressor],
+    (|at| at.cube(29).map(|cube| cube.output())), |inputs, torques| {
     for (hinge, torque) in inputs.joint.iter_mut().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
     }
@@ -76,7 +93,8 @@ asked!(Balls30, Balls30Variation, (90, 0, 300, 300), |inputs, torques| {
 asked!(
     Hyq,
     HyqVariation,
-    (18, 6, 142, 130),
+    (18, 6, 142, 130), [vectors jacobian regressor matrices],
+    (|at| Some(at.rh_shank().output())),
     |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
         lf_haa lf_hfe lf_kfe rf_haa rf_hfe rf_kfe lh_haa lh_hfe lh_kfe rh_haa rh_hfe rh_kfe),
     |chain| {
@@ -87,7 +105,8 @@ asked!(
 asked!(
     G1,
     G1Variation,
-    (35, 6, 300, 300),
+    (35, 6, 300, 300), [vectors jacobian regressor matrices],
+    (|at| Some(at.right_arm_wrist_yaw_link().input())),
     |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
     waist_yaw waist_roll waist_pitch
     left_leg_hip_pitch left_leg_hip_roll left_leg_hip_yaw

@@ -101,6 +101,11 @@ pub fn perform<T: Lanes, S, R>(
     Ok(Run { results, times: Some(times) })
 }
 
+/// Returns the entries of a matrix by rows.
+pub fn entries<T: Scalar, const R: usize, const C: usize>(matrix: &SMatrix<T, R, C>) -> Vec<T> {
+    rows(matrix, C)
+}
+
 /// Returns the entries of a matrix's first columns by rows.
 pub fn rows<T: Scalar, const R: usize, const C: usize>(
     matrix: &SMatrix<T, R, C>,
