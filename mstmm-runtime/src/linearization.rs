@@ -56,7 +56,7 @@ pub struct Linearization<T, const N: usize, const N2: usize, const U: usize, con
     /// `∂v̇/∂p`, one column for each parameter.
     pub by_parameters: SMatrix<T, N, P>,
     rates: SVector<T, N>,
-    rotations: &'static [usize],
+    rotations: &'static [[usize; 3]],
 }
 
 impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize> Default
@@ -80,9 +80,10 @@ impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
 impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
     Linearization<T, N, N2, U, P>
 {
-    /// Sets the state that `a` needs: the rates, and the index of the first rate of each rotation in space.
+    /// Sets the state that `a` needs: the rates, and for the rotations in space the index of the first rate, the
+    /// distance between repetitions and their number.
     #[doc(hidden)]
-    pub fn set_state(&mut self, rates: &SVector<T, N>, rotations: &'static [usize]) {
+    pub fn set_state(&mut self, rates: &SVector<T, N>, rotations: &'static [[usize; 3]]) {
         self.rates = *rates;
         self.rotations = rotations;
     }
@@ -107,14 +108,36 @@ impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
         for (row, column) in columns.iter_mut().skip(N).enumerate() {
             column.iter_mut().skip(row).take(1).for_each(|entry| *entry = T::constant(1.0));
         }
-        for &first in self.rotations {
+        self.add_tangent_rate(&mut columns);
+        matrix(columns)
+    }
+
+    /// Sets the entries of `−ω × …` for rotations in space, in columns of at least `N` rows.
+    fn add_tangent_rate<const ROWS: usize>(&self, columns: &mut [[T; ROWS]]) {
+        for first in self.first_rates() {
             for (axis, column) in columns.iter_mut().skip(first).take(3).enumerate() {
                 let negative_cross = self.negative_cross(first, axis);
                 let rows = column.iter_mut().skip(first).take(3);
                 rows.zip(negative_cross).for_each(|(entry, value)| *entry = value);
             }
         }
-        matrix(columns)
+    }
+
+    /// Iterates over the indices of the first rates of rotations in space.
+    fn first_rates(&self) -> impl Iterator<Item = usize> {
+        let of = |&[first, step, count]: &[usize; 3]| (0..count).map(move |k| first + k * step);
+        self.rotations.iter().flat_map(of)
+    }
+
+    /// Writes what the discrete model of a step needs.
+    #[doc(hidden)]
+    pub fn write_to(&self, at: &mut crate::linear::Linearization<T, N, U>) {
+        at.accelerations = self.accelerations;
+        at.by_coordinates = self.by_coordinates;
+        at.by_rates = self.by_rates;
+        at.by_inputs = self.by_inputs;
+        at.tangent_rate = zeros();
+        self.add_tangent_rate(&mut at.tangent_rate.data.0);
     }
 
     /// Returns column `axis` of the matrix of `−ω × …`, where `ω` are three rates from `first` on.
@@ -148,7 +171,7 @@ impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
     /// along a change of the length is zero.
     #[must_use]
     pub fn by_quaternion(&self, number: usize, quaternion: [T; 4]) -> Option<SMatrix<T, N, 4>> {
-        let &first = self.rotations.get(number)?;
+        let first = self.first_rates().nth(number)?;
         let [w, x, y, z] = quaternion;
         // δ = 2 (w dr − r dw − r × dr), by columns.
         let tangents = [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]];

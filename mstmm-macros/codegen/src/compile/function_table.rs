@@ -24,7 +24,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 27] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 28] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -117,20 +117,33 @@ pub(super) static FUNCTIONS: [FunctionSpec; 27] = [
     },
     FunctionSpec {
         answer: Answer::MassMatrixTimes,
-        when: |chain, _, _| asks(chain, Request::MassMatrix),
+        when: |chain, _, layout| {
+            asks(chain, Request::MassMatrix) || by_columns(chain, layout, Request::Derivatives)
+        },
         trace: |chain| chain.mass_matrix_times(),
         checks: checked(outputs::PRODUCT),
     },
     FunctionSpec {
         answer: Answer::InverseMassMatrixTimes,
-        when: |chain, _, layout| asks(chain, Request::MassMatrix) && layout.loop_hinges.is_empty(),
+        when: |chain, _, layout| {
+            let is_asked = asks(chain, Request::MassMatrix) && layout.loop_hinges.is_empty();
+            is_asked || by_columns(chain, layout, Request::Linearize)
+        },
         trace: |chain| chain.inverse_mass_matrix_times(),
         checks: checked(outputs::PRODUCT),
     },
     FunctionSpec {
         answer: Answer::Push,
-        when: |chain, _, _| asks(chain, Request::Push),
+        when: |chain, _, layout| {
+            asks(chain, Request::Push) || by_columns(chain, layout, Request::Linearize)
+        },
         trace: |chain| chain.push(),
+        checks: checked(outputs::CHANGE),
+    },
+    FunctionSpec {
+        answer: Answer::EffortsChange,
+        when: |chain, _, layout| by_columns(chain, layout, Request::Derivatives),
+        trace: |chain| chain.efforts_change(),
         checks: checked(outputs::CHANGE),
     },
     FunctionSpec {
@@ -214,6 +227,11 @@ const fn dense(finite: OutputId) -> Option<Checks> {
 /// Returns whether the matrices of a chain are computed entry by entry, not column by column in loops.
 fn is_dense(chain: &Chain, layout: &Layout) -> bool {
     writes_matrices_out(!chain.repeats.is_empty(), layout.dof_count())
+}
+
+/// Returns whether a chain is asked for matrices that are computed column by column.
+fn by_columns(chain: &Chain, layout: &Layout, request: Request) -> bool {
+    asks(chain, request) && !is_dense(chain, layout)
 }
 
 fn asks(chain: &Chain, request: Request) -> bool {

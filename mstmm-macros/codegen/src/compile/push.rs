@@ -8,14 +8,31 @@ use crate::function::{Function, share_carries};
 use crate::program::Given;
 
 impl<'a> ChainCompiler<'a> {
-    pub(super) fn push(&self) -> Traced<'a> {
-        let direction: Direction<Expr<'a>> = Direction {
+    fn direction(&self) -> Direction<Expr<'a>> {
+        Direction {
             coordinates: self.given(Given::CoordinateDirection),
             rates: self.given(Given::RateDirection),
             accelerations: Vec::new(),
             inputs: self.given(Given::InputDirection),
             parameters: self.given(Given::ParameterDirection),
-        };
+        }
+    }
+
+    /// Returns the function for the change of inverse dynamics along a direction, at given accelerations.
+    pub(super) fn efforts_change(&self) -> Traced<'a> {
+        let (direction, given) = (self.direction(), self.given(Given::Accelerations));
+        let (change, function) = self.traced(|tracer, trace| {
+            let context = self.context(self.merged).with_loops(tracer).with_accelerations(&given);
+            let missing = equations::missing_efforts(&context, &direction, AXES);
+            trace.section("change", "Change of the efforts", "");
+            missing.into_iter().map(|effort| -effort).collect::<Vec<Expr>>()
+        });
+        let outputs = vec![self.rates(outputs::CHANGE, &change)];
+        Function { outputs, ..function }.into()
+    }
+
+    pub(super) fn push(&self) -> Traced<'a> {
+        let direction = self.direction();
         let (pushed, function) = self.traced(|tracer, trace| {
             let context = self.context(self.merged).with_loops(tracer);
             equations::push(&context, &direction, AXES, trace)

@@ -1,6 +1,7 @@
 //! Names the unknowns of a chain and assigns them to arguments.
 
 use super::layouts;
+use crate::equations::writes_matrices_out;
 use crate::function::Unknowns;
 use crate::ids::ParameterId;
 use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout, Request};
@@ -48,7 +49,7 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
     for (argument, layout, names) in all.into_iter().chain(inputs).chain([step]) {
         add(argument, layout, names);
     }
-    for given in given(&chain.requests) {
+    for given in given(chain, layout) {
         let (layout, name) = match given {
             Given::Accelerations => (layouts::rates(chain, layout), "acceleration"),
             Given::Vector => (layouts::rates(chain, layout), "vector"),
@@ -65,25 +66,35 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
     unknowns
 }
 
-/// Returns the vectors that the functions of these requests are given, each once.
-fn given(requests: &[Request]) -> Vec<Given> {
+/// Returns the vectors that the functions of a chain's requests are given, each once.
+fn given(chain: &Chain, layout: &Layout) -> Vec<Given> {
+    const DIRECTION: [Given; 4] = [
+        Given::CoordinateDirection,
+        Given::RateDirection,
+        Given::InputDirection,
+        Given::ParameterDirection,
+    ];
+    let is_dense = writes_matrices_out(!chain.repeats.is_empty(), layout.dof_count());
     let of_request = |request: &Request| match request {
-        Request::InverseDynamics | Request::Derivatives => &[Given::Accelerations][..],
-        Request::Regressor => &[Given::Accelerations, Given::DynamicParameters],
-        Request::MassMatrix | Request::Jacobian => &[Given::Vector],
-        Request::Pull => {
-            &[Given::Vector, Given::Accelerations, Given::VirtualRates, Given::CoordinateDirection]
-        }
-        Request::Push => &[
+        Request::InverseDynamics => vec![Given::Accelerations],
+        Request::Regressor => vec![Given::Accelerations, Given::DynamicParameters],
+        Request::MassMatrix | Request::Jacobian => vec![Given::Vector],
+        Request::Pull => vec![
+            Given::Vector,
+            Given::Accelerations,
+            Given::VirtualRates,
             Given::CoordinateDirection,
-            Given::RateDirection,
-            Given::InputDirection,
-            Given::ParameterDirection,
         ],
-        Request::BiasEfforts | Request::Kinematics | Request::Momentum | Request::Linearize => &[],
+        Request::Push => DIRECTION.to_vec(),
+        Request::Derivatives if is_dense => vec![Given::Accelerations],
+        // Column by column, by products.
+        Request::Derivatives => [&[Given::Accelerations, Given::Vector], &DIRECTION[..]].concat(),
+        Request::Linearize if is_dense => Vec::new(),
+        Request::Linearize => [&[Given::Vector], &DIRECTION[..]].concat(),
+        Request::BiasEfforts | Request::Kinematics | Request::Momentum => Vec::new(),
     };
     let mut all: Vec<Given> = Vec::new();
-    for &given in requests.iter().flat_map(of_request) {
+    for given in chain.requests.iter().flat_map(of_request) {
         if !all.contains(&given) {
             all.push(given);
         }

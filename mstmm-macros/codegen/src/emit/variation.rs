@@ -5,14 +5,14 @@ use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::compile::layouts;
 use crate::ids::InputId;
-use crate::model::{InputKind, Request};
+use crate::model::{Answer, InputKind};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Returns `struct ChainVariation<T>`, if a requested function needs it.
 pub fn emit(cx: &EmitContext) -> TokenStream {
-    let asked = [Request::Push, Request::Pull].iter().any(|it| cx.chain.requests.contains(it));
-    if !asked {
+    let answers = [Answer::Push, Answer::Pull, Answer::EffortsChange];
+    if answers.into_iter().all(|answer| cx.compiled.find(answer).is_none()) {
         return TokenStream::new();
     }
     let mstmm = &cx.mstmm;

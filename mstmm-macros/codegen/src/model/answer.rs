@@ -37,6 +37,8 @@ pub enum Answer {
     InverseMassMatrixTimes,
     /// The accelerations, and their derivative along a direction.
     Push,
+    /// The change of inverse dynamics along a direction.
+    EffortsChange,
     /// The accelerations, and the gradient of their sum with weights.
     Pull,
     /// The product of a closed chain's constraint Jacobian with a vector.
@@ -62,7 +64,7 @@ pub enum Answer {
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 27] = [
+    pub const ALL: [Answer; 28] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -80,6 +82,7 @@ impl Answer {
         Answer::MassMatrixTimes,
         Answer::InverseMassMatrixTimes,
         Answer::Push,
+        Answer::EffortsChange,
         Answer::Pull,
         Answer::ClosureJacobianTimes,
         Answer::Regressor,
@@ -112,6 +115,7 @@ impl Answer {
             Answer::MassMatrixTimes => "mass_matrix_times",
             Answer::InverseMassMatrixTimes => "inverse_mass_matrix_times",
             Answer::Push => "push",
+            Answer::EffortsChange => "efforts_change",
             Answer::Pull => "pull",
             Answer::ClosureJacobianTimes => "closure_jacobian_times",
             Answer::Regressor => "regressor",

@@ -11,29 +11,35 @@ use crate::program::OutputId;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// Returns the docs of the derivatives of inverse dynamics.
+pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
+    let near_one = quaternions::near_one(cx);
+    [
+        quote! {
+            #[doc(alias("computeRNEADerivatives", "mjd_inverseFD", "dtau_dq", "stiffness matrix"))]
+            /// Computes the exact derivatives of inverse dynamics with respect to coordinates, rates and
+            /// accelerations, at given accelerations `v̇`.
+            ///
+            /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
+            /// derivative is that of one side.
+            #(#[doc = #near_one])*
+        },
+        quote! {
+            ///
+            /// # Errors
+            ///
+            /// `Error::NotFinite` if the state, the accelerations or the inputs are not finite. Entries of
+            /// `derivatives` may then be overwritten.
+        },
+    ]
+}
+
 pub(super) fn inverse_dynamics_derivatives(cx: &EmitContext) -> MethodTemplate {
-    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let visibility = &cx.passthrough.visibility;
     let (given, derivatives) = (of_accelerations(cx), &cx.names.derivatives);
     MethodTemplate {
         name: quote!(#visibility fn inverse_dynamics_derivatives_into),
-        docs: [
-            quote! {
-                #[doc(alias("computeRNEADerivatives", "mjd_inverseFD", "dtau_dq", "stiffness matrix"))]
-                /// Computes the exact derivatives of inverse dynamics with respect to coordinates, rates and
-                /// accelerations, at given accelerations `v̇`.
-                ///
-                /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
-                /// derivative is that of one side.
-                #(#[doc = #near_one])*
-            },
-            quote! {
-                ///
-                /// # Errors
-                ///
-                /// `Error::NotFinite` if the state, the accelerations or the inputs are not finite. Entries of
-                /// `derivatives` may then be overwritten.
-            },
-        ],
+        docs: docs_of_derivatives(cx),
         arguments: quote!(#given derivatives_: &mut #derivatives<T>,),
         returns: fallible(cx, &quote!(())),
         opening: TokenStream::new(),
@@ -50,32 +56,38 @@ pub(super) fn inverse_dynamics_derivatives(cx: &EmitContext) -> MethodTemplate {
     }
 }
 
+/// Returns the docs of the linearisation.
+pub(super) fn docs_of_linearization(cx: &EmitContext) -> [TokenStream; 2] {
+    let near_one = quaternions::near_one(cx);
+    [
+        quote! {
+            #[doc(alias("computeABADerivatives", "mjd_transitionFD", "ddq_dq", "FirstOrderTaylorApproximation", "state space"))]
+            /// Computes the accelerations and their exact derivatives with respect to coordinates, rates, inputs
+            /// and parameters. `a()` and `b()` of the result are the matrices of `ẋ = A x + B u`.
+            ///
+            /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
+            /// derivative is that of one side. Operations of a short chain below do not include the products with
+            /// `−M⁻¹`, which are loops.
+            #(#[doc = #near_one])*
+        },
+        quote! {
+            ///
+            /// # Errors
+            ///
+            /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
+            /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `linearization` may then
+            /// be overwritten.
+        },
+    ]
+}
+
 pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
-    let (visibility, near_one) = (&cx.passthrough.visibility, quaternions::near_one(cx));
+    let visibility = &cx.passthrough.visibility;
     let (given, linearization) = (of_state_and_inputs(cx), &cx.names.linearization);
     let products = products(cx);
     MethodTemplate {
         name: quote!(#visibility fn linearize_into),
-        docs: [
-            quote! {
-                #[doc(alias("computeABADerivatives", "mjd_transitionFD", "ddq_dq", "FirstOrderTaylorApproximation", "state space"))]
-                /// Computes the accelerations and their exact derivatives with respect to coordinates, rates, inputs
-                /// and parameters. `a()` and `b()` of the result are the matrices of `ẋ = A x + B u`.
-                ///
-                /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a stop the
-                /// derivative is that of one side. The operations below do not include the products with `−M⁻¹`, which
-                /// are loops.
-                #(#[doc = #near_one])*
-            },
-            quote! {
-                ///
-                /// # Errors
-                ///
-                /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
-                /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `linearization` may then
-                /// be overwritten.
-            },
-        ],
+        docs: docs_of_linearization(cx),
         arguments: quote!(#given linearization_: &mut #linearization<T>,),
         returns: fallible(cx, &quote!(())),
         opening: TokenStream::new(),
@@ -128,8 +140,8 @@ fn products(cx: &EmitContext) -> TokenStream {
     quote!(#statements #state)
 }
 
-/// Returns the statement that sets what `a()` needs: the rates, and the index of the first rate of each rotation in space.
-fn set_state(cx: &EmitContext) -> TokenStream {
+/// Returns the statement that sets what `a()` needs: the rates, and where those of rotations in space are.
+pub(super) fn set_state(cx: &EmitContext) -> TokenStream {
     let layout = cx.rates();
     let mut rotations = Vec::new();
     for (hinge, free) in cx.chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed()) {
@@ -137,8 +149,10 @@ fn set_state(cx: &EmitContext) -> TokenStream {
             if group.rotational && group.rates.len() == 3 {
                 let first = cx.layout.v[hinge].start + group.rates.start;
                 let segment = layout.segment_of(first);
-                let of = |k: usize| segment.offset + first - segment.first + k * segment.count;
-                rotations.extend((0..segment.repetitions).map(|k| usize_literal(of(k))));
+                let start = segment.offset + first - segment.first;
+                let [start, step, count] =
+                    [start, segment.count, segment.repetitions].map(usize_literal);
+                rotations.push(quote!([#start, #step, #count]));
             }
         }
     }

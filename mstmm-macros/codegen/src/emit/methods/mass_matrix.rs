@@ -28,9 +28,10 @@ fn method(cx: &EmitContext, name: TokenStream, docs: [TokenStream; 2]) -> Method
     }
 }
 
-pub(super) fn mass_matrix(cx: &EmitContext) -> MethodTemplate {
+/// Returns the docs of the mass matrix.
+pub(super) fn docs_of_mass_matrix(cx: &EmitContext) -> [TokenStream; 2] {
     let near_one = quaternions::near_one(cx);
-    let docs = [
+    [
         quote! {
             #[doc(alias("crba", "CalcMassMatrix", "mj_fullM", "inertia matrix", "joint space inertia"))]
             /// Computes the mass matrix `M`, with one row and column per rate in the order of `v` of the
@@ -45,13 +46,17 @@ pub(super) fn mass_matrix(cx: &EmitContext) -> MethodTemplate {
             /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `matrix` may then be
             /// overwritten.
         },
-    ];
-    method(cx, quote!(mass_matrix_into), docs)
+    ]
 }
 
-pub(super) fn inverse_mass_matrix(cx: &EmitContext) -> MethodTemplate {
+pub(super) fn mass_matrix(cx: &EmitContext) -> MethodTemplate {
+    method(cx, quote!(mass_matrix_into), docs_of_mass_matrix(cx))
+}
+
+/// Returns the docs of the inverse of the mass matrix.
+pub(super) fn docs_of_inverse(cx: &EmitContext) -> [TokenStream; 2] {
     let near_one = quaternions::near_one(cx);
-    let docs = [
+    [
         quote! {
             #[doc(alias("computeMinverse", "Minv", "inverse inertia matrix"))]
             /// Computes the inverse `M⁻¹` of the mass matrix, with one row and column per rate in the order of
@@ -67,6 +72,9 @@ pub(super) fn inverse_mass_matrix(cx: &EmitContext) -> MethodTemplate {
             /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `matrix` may then be
             /// overwritten.
         },
-    ];
-    method(cx, quote!(inverse_mass_matrix_into), docs)
+    ]
+}
+
+pub(super) fn inverse_mass_matrix(cx: &EmitContext) -> MethodTemplate {
+    method(cx, quote!(inverse_mass_matrix_into), docs_of_inverse(cx))
 }

@@ -1,5 +1,6 @@
 //! The generated methods, one for each function of the table.
 
+mod by_columns;
 mod closure_jacobian;
 mod derivatives;
 mod dynamics;
@@ -47,6 +48,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let derivatives = derivatives::by_value(cx);
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
+    let (by_columns, linearize) = (by_columns::emit(cx), by_columns::linearize_trait(cx));
     let regressor = regressor::others(cx);
     let kinematics = kinematics::further(cx);
     let chain_impl = chain_impl::chain_impl(cx);
@@ -61,10 +63,12 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #energy
             #closure_jacobian
             #regressor
+            #by_columns
             #kinematics
         }
         #chain_impl
         #generated
+        #linearize
         #not_asked
     }
 }
@@ -112,6 +116,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::MassMatrixTimes => inverse_dynamics::mass_matrix_times(cx),
         Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
         Answer::Push => products::push(cx),
+        Answer::EffortsChange => products::efforts_change(cx),
         Answer::Pull => products::pull(cx),
         Answer::ClosureJacobianTimes => closure_jacobian::times(cx),
         Answer::Regressor => regressor::regressor(cx),

@@ -11,6 +11,7 @@ mod name;
 mod number;
 mod passive;
 mod repeat;
+mod request;
 mod route;
 mod tree;
 
@@ -59,6 +60,7 @@ const RULES: &[ModelRule] = &[
     alternate::hinges_and_bodies_alternate,
     route::hinges_connect_two_sides,
     route::closed_chains_can_move,
+    request::requests_fit_closed_chains,
     tree::transfer_is_for_chains,
     repeat::repeats_follow_something,
     repeat::repeats_begin_with_a_hinge_and_end_with_a_body,

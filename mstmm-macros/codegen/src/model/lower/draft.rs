@@ -107,7 +107,7 @@ impl<'a> Draft<'a> {
             springs: springs.collect::<Option<_>>()?,
             method: self.settings.method.as_ref().map(|method| method.value),
             results: self.settings.results,
-            requests: self.settings.requests,
+            requests: self.settings.requests.iter().map(|request| request.value).collect(),
             assertions: Vec::new(),
         })
     }

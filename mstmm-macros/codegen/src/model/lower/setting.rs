@@ -27,8 +27,8 @@ pub(crate) struct Settings {
     pub method: Option<Spanned<SolutionMethod>>,
     /// The results of the solution: everything unless `results` selects some.
     pub results: Results,
-    /// What the chain answers beside the functions that every chain has, each once.
-    pub requests: Vec<Request>,
+    /// What the chain answers beside the functions that every chain has, each with its word.
+    pub requests: Vec<Spanned<Request>>,
 }
 
 /// All settings.
@@ -77,16 +77,20 @@ fn method(context: &mut Context, syntax: &ValueSyntax) -> Option<SolutionMethod>
 fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
     let chosen = chosen(context, syntax, &Choices { keywords: RESULTS, example: "[z, poses]" })?;
     let mut results = Results::NONE;
-    chosen.into_iter().for_each(|result| *result(&mut results) = true);
+    chosen.into_iter().for_each(|result| *(result.value)(&mut results) = true);
     Some(results)
 }
 
-/// Reads the requests. A request that two words stand for counts once.
-fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Request>> {
+/// Reads the requests. A request that two words stand for belongs to the first.
+fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Spanned<Request>>> {
     let choices = Choices { keywords: ANSWER_WORDS, example: "[basic, linearize]" };
-    let mut requests = chosen(context, syntax, &choices)?.concat();
-    requests.sort_unstable();
-    requests.dedup();
+    let words = chosen(context, syntax, &choices)?;
+    let of_word = |word: Spanned<&'static [Request]>| {
+        word.value.iter().map(move |&value| Spanned { value, at: word.at })
+    };
+    let mut requests: Vec<Spanned<Request>> = words.into_iter().flat_map(of_word).collect();
+    requests.sort_by_key(|request| request.value);
+    requests.dedup_by_key(|request| request.value);
     Some(requests)
 }
 
@@ -102,7 +106,7 @@ fn chosen<T: Copy>(
     context: &mut Context,
     syntax: &ValueSyntax,
     words: &Choices<T>,
-) -> Option<Vec<T>> {
+) -> Option<Vec<Spanned<T>>> {
     let entries = match syntax {
         ValueSyntax::Number(entry) => std::slice::from_ref(entry),
         ValueSyntax::Vector(ListSyntax { unit: Some(unit), .. }) => {
@@ -118,7 +122,11 @@ fn chosen<T: Copy>(
     for entry in entries {
         right &= words.choose(context, entry, &mut chosen).is_some();
     }
-    right.then(|| chosen.into_iter().map(|number| words.keywords[number].1).collect())
+    let spanned = |(number, entry): (usize, &ExprSyntax)| Spanned {
+        value: words.keywords[number].1,
+        at: entry.extent,
+    };
+    right.then(|| chosen.into_iter().zip(entries).map(spanned).collect())
 }
 
 impl<T> Choices<'_, T> {

@@ -320,3 +320,17 @@ fn blocks_name_paths() {
     );
     expect_tree("hinge hip. { start = 1; }", &[(".", "expected `{`, found `.`")]);
 }
+
+#[test]
+fn derivatives_are_for_open_chains() {
+    let message = |word: &str| {
+        format!(
+            "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free"
+        )
+    };
+    let text = format!(
+        "chain A {{ answers = [linearize, mass_matrix, pull]; {ROD} \
+         ground -> pin p -> Rod x -> pin q -> Rod y -> pin r -> ground; }}"
+    );
+    expect_all(&text, &[("linearize", &message("linearize")), ("pull", &message("pull"))]);
+}

@@ -1,0 +1,141 @@
+//! The matrices of long chains: loops over columns, each the product with a unit vector. Their code does not depend on the
+//! number of columns.
+
+use super::super::EmitContext;
+use super::derivatives::{docs_of_derivatives, docs_of_linearization, set_state};
+use super::dynamics::of_accelerations;
+use super::mass_matrix::{docs_of_inverse, docs_of_mass_matrix, square};
+use super::{fallible, of_state_and_inputs};
+use crate::model::{Answer, Request};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+/// Returns the methods for matrices that a chain does not write out.
+pub(super) fn emit(cx: &EmitContext) -> TokenStream {
+    let asks = |request| cx.chain.requests.contains(&request);
+    let has = |answer| cx.compiled.find(answer).is_some();
+    let mut methods = TokenStream::new();
+    if asks(Request::MassMatrix) && !has(Answer::MassMatrix) {
+        methods.extend(matrix(cx, "mass_matrix", docs_of_mass_matrix(cx)));
+        if has(Answer::InverseMassMatrixTimes) {
+            methods.extend(matrix(cx, "inverse_mass_matrix", docs_of_inverse(cx)));
+        }
+    }
+    if asks(Request::Derivatives) && !has(Answer::InverseDynamicsDerivatives) {
+        methods.extend(derivatives(cx));
+    }
+    if asks(Request::Linearize) && !has(Answer::Linearization) {
+        methods.extend(linearization(cx));
+    }
+    methods
+}
+
+/// Returns the method for a matrix from its products.
+fn matrix(cx: &EmitContext, name: &str, [before, after]: [TokenStream; 2]) -> TokenStream {
+    let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
+    let (given, matrix, returns) = (of_state_and_inputs(cx), square(cx), fallible(cx, &quote!(())));
+    let (into, times) = (format_ident!("{name}_into"), format_ident!("{name}_times_into"));
+    quote! {
+        #before
+        #after
+        #visibility fn #into(&self, #given matrix_: &mut #matrix) -> #returns {
+            #mstmm::generated::columns(matrix_, |vector_, product_| {
+                self.#times(state_, inputs_, vector_, product_)
+            })
+        }
+    }
+}
+
+fn derivatives(cx: &EmitContext) -> TokenStream {
+    let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
+    let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
+    let (derivatives, variation) = (&cx.names.derivatives, &cx.names.variation);
+    let [before, after] = docs_of_derivatives(cx);
+    quote! {
+        #before
+        #after
+        #visibility fn inverse_dynamics_derivatives_into(
+            &self,
+            #given
+            derivatives_: &mut #derivatives<T>,
+        ) -> #returns {
+            let mut direction_ = <#variation<T> as ::core::default::Default>::default();
+            #mstmm::generated::columns(&mut derivatives_.by_coordinates, |unit_, change_| {
+                direction_.coordinates = *unit_;
+                self.efforts_change_into_(state_, accelerations_, inputs_, &direction_, change_)
+            })?;
+            direction_ = ::core::default::Default::default();
+            #mstmm::generated::columns(&mut derivatives_.by_rates, |unit_, change_| {
+                direction_.rates = *unit_;
+                self.efforts_change_into_(state_, accelerations_, inputs_, &direction_, change_)
+            })?;
+            #mstmm::generated::columns(&mut derivatives_.by_accelerations, |vector_, product_| {
+                self.mass_matrix_times_into(state_, inputs_, vector_, product_)
+            })
+        }
+    }
+}
+
+fn linearization(cx: &EmitContext) -> TokenStream {
+    let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
+    let (given, returns) = (of_state_and_inputs(cx), fallible(cx, &quote!(())));
+    let (linearization, variation) = (&cx.names.linearization, &cx.names.variation);
+    let [before, after] = docs_of_linearization(cx);
+    let set_state = set_state(cx);
+    let along = ["coordinates", "rates", "inputs", "parameters"].map(|name| {
+        let (field, result) = (format_ident!("{name}"), format_ident!("by_{name}"));
+        quote! {
+            let mut direction_ = <#variation<T> as ::core::default::Default>::default();
+            #mstmm::generated::columns(&mut linearization_.#result, |unit_, change_| {
+                direction_.#field = *unit_;
+                self.push_into(state_, inputs_, &direction_, &mut linearization_.accelerations, change_)
+            })?;
+        }
+    });
+    quote! {
+        #before
+        #after
+        #visibility fn linearize_into(
+            &self,
+            #given
+            linearization_: &mut #linearization<T>,
+        ) -> #returns {
+            #mstmm::generated::columns(&mut linearization_.inverse_mass_matrix, |vector_, product_| {
+                self.inverse_mass_matrix_times_into(state_, inputs_, vector_, product_)
+            })?;
+            #(#along)*
+            #set_state
+            ::core::result::Result::Ok(())
+        }
+    }
+}
+
+/// Returns the implementation of the trait that the discrete model of a step needs, for a chain whose linearisation is
+/// written out.
+pub(super) fn linearize_trait(cx: &EmitContext) -> TokenStream {
+    if cx.compiled.find(Answer::Linearization).is_none() {
+        return TokenStream::new();
+    }
+    let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
+    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
+    let linearization = &cx.names.linearization;
+    let rates = super::super::arrays::usize_literal(cx.rates().total);
+    let count = crate::compile::layouts::inputs(cx.chain, cx.layout).total;
+    let count = super::super::arrays::usize_literal(count);
+    let returns = fallible(cx, &quote!(()));
+    quote! {
+        impl<T: #mstmm::Scalar> #mstmm::linear::Linearize<#rates, #count> for #name<T> {
+            fn linearize_into(
+                &self,
+                state_: &#state<T>,
+                inputs_: &#inputs<T>,
+                at_: &mut #mstmm::linear::Linearization<T, #rates, #count>,
+            ) -> #returns {
+                let mut linearization_ = <#linearization<T> as ::core::default::Default>::default();
+                #name::linearize_into(self, state_, inputs_, &mut linearization_)?;
+                linearization_.write_to(at_);
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
