@@ -330,7 +330,7 @@ fn derivatives_are_for_open_chains() {
     };
     let text = format!(
         "chain A {{ answers = [linearize, mass_matrix, pull]; {ROD} \
-         ground -> pin p -> Rod x -> pin q -> Rod y -> pin r -> ground; }}"
+         ground -> pin a -> Rod x -> pin b -> Rod y -> pin c -> ground; }}"
     );
     expect_all(&text, &[("linearize", &message("linearize")), ("pull", &message("pull"))]);
 }
