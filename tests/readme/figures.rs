@@ -66,16 +66,31 @@ fn times() -> Vec<String> {
     rows.into_iter().map(row).collect()
 }
 
-/// The cost of a step of the Panda, from the firmware's table.
-fn firmware() -> Vec<String> {
+/// The instructions of a case of the firmware with the Panda, from its table. The stack is at most as deep as given.
+fn instructions(case: &str, deepest: u32) -> String {
     let figures = read("examples/firmware/FIGURES.md");
-    let row = figures.lines().find(|line| line.starts_with("| `arm_f32`, cortex-m4 |"));
-    let cells: Vec<&str> = row.expect("a row of the table").split('|').map(str::trim).collect();
+    let start = format!("| `{case}`, cortex-m4 |");
+    let row = figures.lines().find(|line| line.starts_with(&start)).expect("a row of the table");
+    let cells: Vec<&str> = row.split('|').map(str::trim).collect();
     let [fewest, most, stack] = [2, 3, 6].map(|cell| cells[cell].parse::<u32>().expect("a figure"));
     assert_eq!(fewest, most, "the same number of instructions from every state");
-    assert!(stack <= 1024);
-    let grouped = format!("{} {:03} instructions", fewest / 1000, fewest % 1000);
-    vec![grouped, "less than 1 KiB of stack".into()]
+    assert!(stack <= deepest);
+    match fewest / 1000 {
+        0..10 => fewest.to_string(),
+        thousands => format!("{thousands} {:03}", fewest % 1000),
+    }
+}
+
+/// The costs of the Panda on a microcontroller.
+fn firmware() -> Vec<String> {
+    let [step, torques, linear] =
+        [("arm_f32", 1024), ("computed_torque_f32", 1024), ("linear_arm_f32", 4096)]
+            .map(|(case, deepest)| instructions(case, deepest));
+    vec![
+        format!("{step} instructions"),
+        "less than 1 KiB of stack".into(),
+        format!("inverse dynamics {torques}, A and B {linear} with less than 4 KiB"),
+    ]
 }
 
 /// The tolerance of the random chains, and the oldest Rust.

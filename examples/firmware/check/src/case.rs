@@ -1,8 +1,8 @@
-//! The cases: three chains, each in single and in double precision.
+//! The cases: chains and controllers, each in single and in double precision.
 
 use std::fmt;
 
-use models::{Arm, BallPendulum, Model, Satellite};
+use models::{Arm, BallPendulum, ComputedTorque, LinearArm, Model, Satellite};
 
 /// A chain in a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,8 @@ enum Chain {
     Ball,
     Arm,
     Satellite,
+    ComputedTorque,
+    LinearArm,
 }
 
 /// The precision of a chain.
@@ -41,13 +43,17 @@ pub trait Visitor {
 }
 
 impl Case {
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 10] = [
         Self { chain: Chain::Ball, precision: Precision::Single },
         Self { chain: Chain::Ball, precision: Precision::Double },
         Self { chain: Chain::Arm, precision: Precision::Single },
         Self { chain: Chain::Arm, precision: Precision::Double },
         Self { chain: Chain::Satellite, precision: Precision::Single },
         Self { chain: Chain::Satellite, precision: Precision::Double },
+        Self { chain: Chain::ComputedTorque, precision: Precision::Single },
+        Self { chain: Chain::ComputedTorque, precision: Precision::Double },
+        Self { chain: Chain::LinearArm, precision: Precision::Single },
+        Self { chain: Chain::LinearArm, precision: Precision::Double },
     ];
 
     /// Returns the name of the image.
@@ -59,6 +65,10 @@ impl Case {
             (Chain::Arm, Precision::Double) => "arm_f64",
             (Chain::Satellite, Precision::Single) => "satellite_f32",
             (Chain::Satellite, Precision::Double) => "satellite_f64",
+            (Chain::ComputedTorque, Precision::Single) => "computed_torque_f32",
+            (Chain::ComputedTorque, Precision::Double) => "computed_torque_f64",
+            (Chain::LinearArm, Precision::Single) => "linear_arm_f32",
+            (Chain::LinearArm, Precision::Double) => "linear_arm_f64",
         }
     }
 
@@ -79,6 +89,12 @@ impl Case {
             (Chain::Satellite, Precision::Single) => {
                 Some(Budget { instructions: 40_000, stack: 2048, code: None })
             }
+            (Chain::ComputedTorque, Precision::Single) => {
+                Some(Budget { instructions: 2_000, stack: 1024, code: None })
+            }
+            (Chain::LinearArm, Precision::Single) => {
+                Some(Budget { instructions: 15_000, stack: 4096, code: None })
+            }
             (_, Precision::Double) => None,
         }
     }
@@ -92,6 +108,10 @@ impl Case {
             (Chain::Arm, Precision::Double) => visitor.visit::<Arm<f64>>(),
             (Chain::Satellite, Precision::Single) => visitor.visit::<Satellite<f32>>(),
             (Chain::Satellite, Precision::Double) => visitor.visit::<Satellite<f64>>(),
+            (Chain::ComputedTorque, Precision::Single) => visitor.visit::<ComputedTorque<f32>>(),
+            (Chain::ComputedTorque, Precision::Double) => visitor.visit::<ComputedTorque<f64>>(),
+            (Chain::LinearArm, Precision::Single) => visitor.visit::<LinearArm<f32>>(),
+            (Chain::LinearArm, Precision::Double) => visitor.visit::<LinearArm<f64>>(),
         }
     }
 }

@@ -41,11 +41,12 @@ impl Visitor for Simulation {
     type Result = Motion;
 
     fn visit<M: Model>(self) -> Motion {
-        let (model, mut rk4) = (M::new(), M::integrator());
+        let (model, mut work) = (M::new(), M::work());
         let (mut state, mut hash) = (model.start(), Hash::default());
         for _ in 0..self.steps {
-            model.step(&mut rk4, &mut state).expect("the motions are regular everywhere");
+            model.step(&mut work, &mut state).expect("the motions are regular everywhere");
             hash.add_state(&state);
+            M::add_results(&work, &mut hash);
         }
         let numbers = state.coordinates().iter().chain(state.rates());
         Motion {

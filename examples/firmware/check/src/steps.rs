@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use anyhow::{Result, anyhow};
 use models::{Model, Random, SEED};
-use mstmm::{Error, Rk4};
+use mstmm::Error;
 
 use crate::case::{Case, Visitor};
 
@@ -22,10 +22,10 @@ impl Visitor for Steps {
     type Result = std::result::Result<(), Error>;
 
     fn visit<M: Model>(self) -> Self::Result {
-        let (model, mut rk4, mut random) = (M::new(), M::integrator(), Random::new(SEED));
+        let (model, mut work, mut random) = (M::new(), M::work(), Random::new(SEED));
         for _ in 0..STATES {
             let mut state = model.random_state(&mut random);
-            counted_step(black_box(&model), &mut rk4, black_box(&mut state))?;
+            counted_step(black_box(&model), &mut work, black_box(&mut state))?;
         }
         Ok(())
     }
@@ -35,8 +35,8 @@ impl Visitor for Steps {
 #[inline(never)]
 fn counted_step<M: Model>(
     model: &M,
-    rk4: &mut Rk4<M>,
+    work: &mut M::Work,
     state: &mut M::State,
 ) -> std::result::Result<(), Error> {
-    model.step(rk4, state)
+    model.step(work, state)
 }

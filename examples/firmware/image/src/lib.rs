@@ -12,17 +12,17 @@ pub use cortex_m_rt::{entry, exception};
 use core::panic::PanicInfo;
 
 use models::{Hash, MOTION_STEPS, Model, RANDOM_STATES, Random, SEED};
-use mstmm::{ChainState, Error, Rk4};
+use mstmm::{ChainState, Error};
 
 pub use board::{Board, TIMER_LIMIT};
 pub use report::Report;
 
 /// Takes one step as a timer's interrupt would; a separate function, so that it is found in the image.
 #[inline(never)]
-pub fn step<M: Model>(model: &M, rk4: &mut Rk4<M>, state: &mut M::State) -> Result<(), Error> {
+pub fn step<M: Model>(model: &M, work: &mut M::Work, state: &mut M::State) -> Result<(), Error> {
     #[cfg(feature = "control")]
     core::hint::black_box(can_panic());
-    model.step(rk4, state)
+    model.step(work, state)
 }
 
 /// An index that the compiler cannot check: the linker must reject this step.
@@ -44,22 +44,22 @@ pub fn run<M: Model>() -> ! {
 /// Measures instructions and stack of a step.
 fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
     let Some(mut board) = Board::take() else { report.failure("the board is taken") };
-    let (model, mut rk4, mut random) = (M::new(), M::integrator(), Random::new(SEED));
+    let (model, mut work, mut random) = (M::new(), M::work(), Random::new(SEED));
     let (mut fewest, mut most, mut deepest) = (u32::MAX, 0, 0);
     for _ in 0..RANDOM_STATES {
         let mut state = model.random_state(&mut random);
         let mut other = state.clone();
-        let (ticks, result) = board.ticks(|| step(&model, &mut rk4, &mut state));
+        let (ticks, result) = board.ticks(|| step(&model, &mut work, &mut state));
         result?;
         (fewest, most) = (fewest.min(ticks), most.max(ticks));
-        let (stack, result) = board::stack_used(|| step(&model, &mut rk4, &mut other));
+        let (stack, result) = board::stack_used(|| step(&model, &mut work, &mut other));
         result?;
         deepest = deepest.max(stack);
     }
     // Many of these steps return an error; their time is measured as well.
     let mut longest = 0;
     model.for_each_bad_state(|mut state| {
-        let (ticks, _) = board.ticks(|| step(&model, &mut rk4, &mut state));
+        let (ticks, _) = board.ticks(|| step(&model, &mut work, &mut state));
         longest = longest.max(ticks);
     });
     let (nothing, ()) = board.ticks(|| ());
@@ -71,11 +71,12 @@ fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
 
 /// Simulates the motion from the start of the description.
 fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
-    let (model, mut rk4) = (M::new(), M::integrator());
+    let (model, mut work) = (M::new(), M::work());
     let (mut state, mut hash) = (model.start(), Hash::default());
     for _ in 0..MOTION_STEPS {
-        step(&model, &mut rk4, &mut state)?;
+        step(&model, &mut work, &mut state)?;
         hash.add_state(&state);
+        M::add_results(&work, &mut hash);
     }
     report.numbers("q", state.coordinates());
     report.numbers("v", state.rates());

@@ -1,8 +1,8 @@
 //! A real arm under a controller.
 
-use mstmm::mstmm_chain;
+use mstmm::{Error, Rk4, mstmm_chain};
 
-use crate::{Model, Number};
+use crate::{Model, Number, integrator, simulate};
 
 include!("../../../panda.rs");
 
@@ -26,7 +26,7 @@ const DAMPING: [f64; 7] = [5.0, 5.0, 5.0, 5.0, 1.0, 0.5, 0.1];
 const TARGET: [f64; 7] = [0.5, 0.3, -0.4, -1.5, 0.2, 1.8, 0.6];
 
 impl<T: Number> Model for Arm<T> {
-    const STEP: f64 = 1e-3;
+    type Work = Rk4<Self>;
 
     fn new() -> Self {
         Arm::new()
@@ -44,5 +44,13 @@ impl<T: Number> Model for Arm<T> {
         };
         let [j1, j2, j3, j4, j5, j6, j7] = core::array::from_fn(torque);
         ArmInputs { j1, j2, j3, j4, j5, j6, j7 }
+    }
+
+    fn work() -> Rk4<Self> {
+        integrator()
+    }
+
+    fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
+        simulate(self, rk4, state)
     }
 }

@@ -2,11 +2,15 @@
 #![no_std]
 
 mod arm;
+mod computed_torque;
+mod linear_arm;
 mod number;
 mod pendulum;
 mod satellite;
 
 pub use arm::{Arm, ArmState};
+pub use computed_torque::ComputedTorque;
+pub use linear_arm::LinearArm;
 pub use number::{Hash, Number, Random};
 pub use pendulum::{BallPendulum, BallPendulumState};
 pub use satellite::{Satellite, SatelliteState};
@@ -27,8 +31,8 @@ pub const INTERRUPT_STEPS: u32 = 1000;
 
 /// A chain with its controller and step.
 pub trait Model: Chain<Scalar: Number> + Sized {
-    /// The step in s.
-    const STEP: f64;
+    /// What a step needs between steps, and its results in addition to the state.
+    type Work;
 
     /// The chain as described.
     fn new() -> Self;
@@ -71,13 +75,25 @@ pub trait Model: Chain<Scalar: Number> + Sized {
         }
     }
 
-    /// Returns an integrator for the chain.
-    fn integrator() -> Rk4<Self> {
-        Rk4::new(<Self::Scalar as Scalar>::constant(Self::STEP))
-    }
+    /// Returns what the first step needs.
+    fn work() -> Self::Work;
 
-    /// Takes one step of the classical Runge–Kutta method, as a timer's interrupt does.
-    fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
-        rk4.step(self, state, |_, state| self.inputs(state))
-    }
+    /// Takes one step, as a timer's interrupt does.
+    fn step(&self, work: &mut Self::Work, state: &mut Self::State) -> Result<(), Error>;
+
+    /// Adds the results of a step to a hash, apart from the state.
+    fn add_results(_: &Self::Work, _: &mut Hash) {}
+}
+
+/// The length of all steps in s.
+pub const STEP: f64 = 1e-3;
+
+/// Returns an integrator for a chain.
+fn integrator<M: Model>() -> Rk4<M> {
+    Rk4::new(<M::Scalar as Scalar>::constant(STEP))
+}
+
+/// Takes one step of the classical Runge–Kutta method.
+fn simulate<M: Model>(model: &M, rk4: &mut Rk4<M>, state: &mut M::State) -> Result<(), Error> {
+    rk4.step(model, state, |_, state| model.inputs(state))
 }

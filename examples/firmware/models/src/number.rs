@@ -47,9 +47,13 @@ impl Default for Hash {
 impl Hash {
     /// Adds all coordinates, all rates and the time to the hash.
     pub fn add_state<S: ChainState<Scalar: Number>>(&mut self, state: &S) {
-        let numbers =
-            state.coordinates().iter().chain(state.rates()).copied().chain([state.time()]);
+        self.add(state.coordinates().iter().chain(state.rates()).copied().chain([state.time()]));
+    }
+
+    /// Adds numbers to the hash.
+    pub fn add<T: Number>(&mut self, numbers: impl IntoIterator<Item = T>) {
         self.0 = numbers
+            .into_iter()
             .fold(self.0, |hash, number| (hash ^ number.bits()).wrapping_mul(0x0100_0000_01b3));
     }
 

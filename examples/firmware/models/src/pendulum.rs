@@ -1,8 +1,8 @@
 //! Section 4.1 of the paper.
 
-use mstmm::mstmm_chain;
+use mstmm::{Error, Rk4, mstmm_chain};
 
-use crate::{Model, Number};
+use crate::{Model, Number, integrator, simulate};
 
 mstmm_chain! {
     /// Three unit cubes on ball-and-socket hinges (Rui et al. 2016, section 4.1).
@@ -20,7 +20,7 @@ mstmm_chain! {
 }
 
 impl<T: Number> Model for BallPendulum<T> {
-    const STEP: f64 = 1e-3;
+    type Work = Rk4<Self>;
 
     fn new() -> Self {
         BallPendulum::new()
@@ -32,5 +32,13 @@ impl<T: Number> Model for BallPendulum<T> {
 
     fn inputs(&self, _: &Self::State) -> Self::Inputs {
         self.no_inputs()
+    }
+
+    fn work() -> Rk4<Self> {
+        integrator()
+    }
+
+    fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
+        simulate(self, rk4, state)
     }
 }

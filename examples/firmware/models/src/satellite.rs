@@ -1,7 +1,7 @@
 //! A tree: a satellite with two wings and a reaction wheel.
 
-use crate::{Model, Number};
-use mstmm::mstmm_chain;
+use crate::{Model, Number, integrator, simulate};
+use mstmm::{Error, Rk4, mstmm_chain};
 
 include!("../../../../tests/trees/models/satellite.chain");
 
@@ -9,7 +9,7 @@ include!("../../../../tests/trees/models/satellite.chain");
 const DAMPING: f64 = 5.0;
 
 impl<T: Number> Model for Satellite<T> {
-    const STEP: f64 = 1e-3;
+    type Work = Rk4<Self>;
 
     fn new() -> Self {
         Satellite::new()
@@ -21,5 +21,13 @@ impl<T: Number> Model for Satellite<T> {
 
     fn inputs(&self, state: &Self::State) -> Self::Inputs {
         SatelliteInputs { axle: T::constant(DAMPING) * state.hub().rate().z }
+    }
+
+    fn work() -> Rk4<Self> {
+        integrator()
+    }
+
+    fn step(&self, rk4: &mut Rk4<Self>, state: &mut Self::State) -> Result<(), Error> {
+        simulate(self, rk4, state)
     }
 }

@@ -33,7 +33,7 @@ struct Simulation {
 impl Simulation {
     fn new() -> Self {
         let arm = Arm::new();
-        Self { rk4: Arm::integrator(), state: arm.start(), arm }
+        Self { rk4: Arm::work(), state: arm.start(), arm }
     }
 }
 
