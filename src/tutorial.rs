@@ -16,3 +16,33 @@ pub mod trees {
     #![doc(alias("branch", "contact", "humanoid", "leg", "legged robot", "quadruped", "tree"))]
     #![doc = include_str!("tutorial/trees.md")]
 }
+
+pub mod balance {
+    #![doc(alias(
+        "LQR",
+        "linear-quadratic regulator",
+        "linearization",
+        "inverted pendulum",
+        "acrobot"
+    ))]
+    #![doc = include_str!("tutorial/balance.md")]
+    #![doc = include_str!("tutorial/balance.svg")]
+}
+
+pub mod computed_torque {
+    #![doc(alias("inverse dynamics", "feedback linearization", "feed-forward", "payload"))]
+    #![doc = include_str!("tutorial/computed_torque.md")]
+    #![doc = include_str!("tutorial/computed_torque.svg")]
+}
+
+pub mod identify {
+    #![doc(alias("identification", "regressor", "base parameters", "calibration"))]
+    #![doc = include_str!("tutorial/identify.md")]
+    #![doc = include_str!("tutorial/identify.svg")]
+}
+
+pub mod bearing_loads {
+    #![doc(alias("bearing", "reaction", "gyroscopic moment", "unbalance"))]
+    #![doc = include_str!("tutorial/bearing_loads.md")]
+    #![doc = include_str!("tutorial/bearing_loads.svg")]
+}
