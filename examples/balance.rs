@@ -4,8 +4,8 @@
 
 mod plot;
 
-use mstmm::linear::{Linearization, Linearize, discretize, lqr};
-use mstmm::nalgebra::{Matrix1, Matrix6, SVector, Vector6};
+use mstmm::linear::{discretize, lqr};
+use mstmm::nalgebra::{Matrix1, Matrix6, Vector6};
 use mstmm::prelude::*;
 use plot::Plot;
 
@@ -13,7 +13,7 @@ mstmm_chain! {
     /// A cart on a rail and two poles, which stand upright at the angles zero.
     plane chain Balance {
         gravity = [0, -9.81] m/s^2;
-        answers = push;
+        answers = linearize;
 
         body Cart { mass = 1 kg; com = [0, 0] m; output = [0, 0] m; inertia = 0.01 kg*m^2 about com; }
         body Pole { mass = 0.2 kg; com = [0, 0.25] m; output = [0, 0.5] m; inertia = 0.2/48 kg*m^2 about com; }
@@ -24,31 +24,6 @@ mstmm_chain! {
         hinge rail { force = input; }
         hinge lower { start = 6 deg; }
         hinge upper { start = -3 deg; }
-    }
-}
-
-impl Linearize<3, 1> for Balance<f64> {
-    fn linearize_into(
-        &self,
-        state: &BalanceState<f64>,
-        inputs: &BalanceInputs<f64>,
-        at: &mut Linearization<f64, 3, 1>,
-    ) -> Result<(), mstmm::Error> {
-        let column = |direction: BalanceVariation<f64>| {
-            let (mut accelerations, mut change) = (SVector::zeros(), SVector::zeros());
-            self.push_into(state, inputs, &direction, &mut accelerations, &mut change)?;
-            Ok::<_, mstmm::Error>(change)
-        };
-        let none = BalanceVariation::default();
-        for k in 0..3 {
-            let unit = SVector::ith(k, 1.0);
-            at.by_coordinates
-                .set_column(k, &column(BalanceVariation { coordinates: unit, ..none })?);
-            at.by_rates.set_column(k, &column(BalanceVariation { rates: unit, ..none })?);
-        }
-        at.by_inputs = column(BalanceVariation { inputs: SVector::ith(0, 1.0), ..none })?;
-        at.accelerations = self.accelerations(state, inputs)?;
-        Ok(())
     }
 }
 
