@@ -82,7 +82,10 @@ impl Arguments<f64> {
 }
 
 /// Returns the arm, its state and its inputs.
-fn arm<T: Scalar>(arguments: &Arguments<T>) -> Result<(Arm<T>, ArmState<T>, ArmInputs<T>), Error> {
+/// An arm with its state and its inputs.
+type Posed<T> = (Arm<T>, ArmState<T>, ArmInputs<T>);
+
+fn arm<T: Scalar>(arguments: &Arguments<T>) -> Result<Posed<T>, Error> {
     let mut arm = Arm::<T>::new();
     arm.set_load(arguments.parameters[0])?;
     arm.set_rigidity(arguments.parameters[1])?;
