@@ -4,7 +4,7 @@ use super::compiler::{ChainCompiler, Traced};
 use super::{layouts, outputs};
 use crate::equations::{self, AXES};
 use crate::expr::{Expr, Stage};
-use crate::function::Function;
+use crate::function::{Function, Output, Written};
 use crate::program::Given;
 
 impl<'a> ChainCompiler<'a> {
@@ -15,7 +15,8 @@ impl<'a> ChainCompiler<'a> {
             equations::regressor(&context, AXES, trace)
         });
         let entries: Vec<Expr> = columns.concat();
-        let outputs = vec![self.once(outputs::REGRESSOR, &entries)];
+        let output = self.once(outputs::REGRESSOR, &entries);
+        let outputs = vec![Output { written: Written::ByEntry, ..output }];
         Function { outputs, ..function }.into()
     }
 

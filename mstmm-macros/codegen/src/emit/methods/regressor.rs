@@ -36,8 +36,8 @@ fn docs_of_regressor(cx: &EmitContext) -> [TokenStream; 2] {
             ///
             /// # Errors
             ///
-            /// `Error::NotFinite` if the state, the inputs or the accelerations are not finite. `regressor` is then
-            /// unchanged.
+            /// `Error::NotFinite` if the state, the inputs or the accelerations are not finite. Entries of `regressor`
+            /// may then be overwritten.
         },
     ]
 }
