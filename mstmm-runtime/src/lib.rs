@@ -118,6 +118,7 @@ pub mod lanes;
 pub mod linear;
 mod linearization;
 mod loop_closure;
+mod momentum;
 pub mod paper;
 mod point;
 mod primitive;
@@ -144,6 +145,7 @@ pub use kinematics::{
 };
 pub use linearization::{InverseDynamicsDerivatives, Linearization};
 pub use loop_closure::LoopClosure;
+pub use momentum::{LineMomentum, Momentum, PlaneMomentum};
 pub use nalgebra;
 pub use point::{
     AllResults, BodyPoint, ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint,

@@ -24,7 +24,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 28] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -162,7 +162,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 28] = [
         answer: Answer::Regressor,
         when: |chain, _, _| asks(chain, Request::Regressor) && chain.repeats.is_empty(),
         trace: |chain| chain.regressor(),
-        checks: checked(outputs::REGRESSOR),
+        checks: dense(outputs::REGRESSOR),
     },
     FunctionSpec {
         answer: Answer::RegressorTimes,
@@ -211,6 +211,18 @@ pub(super) static FUNCTIONS: [FunctionSpec; 28] = [
         },
         trace: |chain| chain.kinematics(),
         checks: Some(Checks { finite: outputs::MOTIONS, failure: Failure::Reset }),
+    },
+    FunctionSpec {
+        answer: Answer::Momentum,
+        when: |chain, _, _| asks(chain, Request::Momentum),
+        trace: |chain| chain.momentum(),
+        checks: checked(outputs::MOMENTUM),
+    },
+    FunctionSpec {
+        answer: Answer::MomentumMatrix,
+        when: |chain, _, _| asks(chain, Request::Momentum),
+        trace: |chain| chain.momentum_matrix(),
+        checks: checked(outputs::MOMENTUM),
     },
 ];
 

@@ -58,7 +58,7 @@ impl<'a> ChainCompiler<'a> {
     }
 
     /// Returns the entries of a column that the dimension has.
-    fn numbers_of_column(&self, column: &Motion<Expr<'a>>) -> Vec<Expr<'a>> {
+    pub(super) fn numbers_of_column(&self, column: &Motion<Expr<'a>>) -> Vec<Expr<'a>> {
         let dimension = self.chain.dimension;
         let linear = dimension.translations().iter().map(|&k| column.linear[k]);
         linear.chain(dimension.rotations().iter().map(|&k| column.angular[k])).collect()

@@ -8,6 +8,7 @@ mod inverse_dynamics;
 mod kinematics;
 pub mod layouts;
 mod mass_matrix;
+mod momentum;
 pub mod outputs;
 mod pipeline;
 mod point_storage;

@@ -59,6 +59,8 @@ pub const MOTIONS: OutputId = OutputId::new("motions");
 pub const COLUMNS: OutputId = OutputId::new("columns");
 /// The frames of bodies that parameters change.
 pub const FRAMES: OutputId = OutputId::new("frames");
+/// Mass, centre of mass and momentum, or the columns of the matrix that maps rates to momentum.
+pub const MOMENTUM: OutputId = OutputId::new("momentum");
 /// The values that are checked when a parameter is set.
 pub const CHECKED: OutputId = OutputId::new("checks");
 

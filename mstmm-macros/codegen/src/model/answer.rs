@@ -59,12 +59,16 @@ pub enum Answer {
     Linearization,
     /// Motions of all bodies and columns of all rates, without dynamics.
     Kinematics,
+    /// Mass, centre of mass and momentum.
+    Momentum,
+    /// The matrix that maps rates to momentum.
+    MomentumMatrix,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 28] = [
+    pub const ALL: [Answer; 30] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -93,6 +97,8 @@ impl Answer {
         Answer::InverseDynamicsDerivatives,
         Answer::Linearization,
         Answer::Kinematics,
+        Answer::Momentum,
+        Answer::MomentumMatrix,
     ];
 
     /// Returns its name in the text of a program.
@@ -126,6 +132,8 @@ impl Answer {
             Answer::InverseDynamicsDerivatives => "inverse_dynamics_derivatives",
             Answer::Linearization => "linearization",
             Answer::Kinematics => "kinematics",
+            Answer::Momentum => "momentum",
+            Answer::MomentumMatrix => "momentum_matrix",
         }
     }
 }

@@ -7,6 +7,7 @@ mod dynamics;
 mod inverse_dynamics;
 mod kinematics;
 mod mass_matrix;
+mod momentum;
 mod products;
 mod regressor;
 mod state;
@@ -49,6 +50,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
     let (by_columns, linearize) = (by_columns::emit(cx), by_columns::linearize_trait(cx));
+    let momentum_matrix = momentum::by_value(cx);
     let regressor = regressor::others(cx);
     let kinematics = kinematics::further(cx);
     let chain_impl = chain_impl::chain_impl(cx);
@@ -64,6 +66,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #closure_jacobian
             #regressor
             #by_columns
+            #momentum_matrix
             #kinematics
         }
         #chain_impl
@@ -127,6 +130,8 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::InverseDynamicsDerivatives => derivatives::inverse_dynamics_derivatives(cx),
         Answer::Linearization => derivatives::linearization(cx),
         Answer::Kinematics => kinematics::kinematics(cx),
+        Answer::Momentum => momentum::momentum(cx),
+        Answer::MomentumMatrix => momentum::momentum_matrix(cx),
     }
 }
 
