@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example robot_arm`
 
+use mstmm::Dual;
 use mstmm::prelude::*;
 
 mstmm_chain! {
@@ -59,17 +60,14 @@ fn main() -> Result<(), mstmm::Error> {
     }
     let holding = arm.bias_efforts(&state, &arm.no_inputs())?;
     println!("holding torques {:.3?} N m", holding.as_slice());
+    // The torques that hold an arm are the gradient of its potential energy, which dual numbers compute.
+    let mut variables = Arm::<Dual<f64, 6>>::new().initial_state();
+    variables.q = Dual::variables(state.q.into()).into();
+    let gradient = Arm::new().energy(&variables).potential.derivatives;
     for i in 0..6 {
         // The arm is in its pose, without the offset that gravity would cause.
         assert!((state.q[i] - TARGET[i]).abs() < 1e-6);
-        // The torques that hold an arm are the gradient of its potential energy.
-        let potential = |change: f64| {
-            let mut moved = state.clone();
-            moved.q[i] += change;
-            arm.energy(&moved).potential
-        };
-        let gradient = (potential(1e-5) - potential(-1e-5)) / 2e-5;
-        assert!((holding[i] - gradient).abs() < 1e-6);
+        assert!((holding[i] - gradient[i]).abs() < 1e-6);
     }
     Ok(())
 }
