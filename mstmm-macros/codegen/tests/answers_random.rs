@@ -7,6 +7,7 @@ mod answers_random {
     pub mod differences;
     pub mod efforts;
     pub mod laws;
+    pub mod matrices;
     pub mod products;
     pub mod samples;
     pub mod workspaces;

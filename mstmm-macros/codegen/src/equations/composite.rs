@@ -209,7 +209,12 @@ fn add_rotors<S: Scalar>(
     for (k, column) in range.clone().enumerate() {
         let unit: Vec<S> = unit_vector(range.len(), k);
         let rotors = hinge.passives.rotor_efforts(&unit);
-        range.clone().zip(rotors).for_each(|(row, effort)| matrix.add(row, column, effort));
+        // One of each pair of symmetric entries, so that they are equal.
+        for (row, effort) in range.clone().zip(rotors).filter(|(row, _)| *row <= column) {
+            let sum = matrix.at(row, column) + effort;
+            matrix.set(row, column, sum);
+            matrix.set(column, row, sum);
+        }
     }
 }
 

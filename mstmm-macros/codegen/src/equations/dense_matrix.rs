@@ -25,11 +25,6 @@ impl<S: Scalar> DenseMatrix<S> {
         self.entries[self.rows * j + i] = value;
     }
 
-    /// Adds to entry (i, j).
-    pub fn add(&mut self, i: usize, j: usize, value: S) {
-        self.set(i, j, self.at(i, j) + value);
-    }
-
     /// Sets column `j`.
     pub fn set_column(&mut self, j: usize, values: &[S]) {
         self.entries[self.rows * j..self.rows * (j + 1)].copy_from_slice(values);

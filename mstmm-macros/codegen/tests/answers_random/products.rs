@@ -56,7 +56,7 @@ fn random_direction(sample: &Sample, number: u64) -> Direction {
 }
 
 /// Removes the changes of prescribed quaternions that would change their lengths.
-fn keep_lengths(sample: &Sample, direction: &mut Vec<f64>) {
+pub fn keep_lengths(sample: &Sample, direction: &mut Vec<f64>) {
     let given = sample.given::<f64>();
     let layout = Layout::of(&sample.chain);
     *direction = sample.joined_inputs(|id| {
