@@ -81,10 +81,10 @@ impl Arguments<f64> {
     }
 }
 
-/// Returns the arm, its state and its inputs.
 /// An arm with its state and its inputs.
 type Posed<T> = (Arm<T>, ArmState<T>, ArmInputs<T>);
 
+/// Returns the arm, its state and its inputs.
 fn arm<T: Scalar>(arguments: &Arguments<T>) -> Result<Posed<T>, Error> {
     let mut arm = Arm::<T>::new();
     arm.set_load(arguments.parameters[0])?;

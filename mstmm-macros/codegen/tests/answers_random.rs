@@ -6,6 +6,7 @@ mod common;
 mod answers_random {
     pub mod differences;
     pub mod efforts;
+    pub mod gradients;
     pub mod laws;
     pub mod matrices;
     pub mod products;

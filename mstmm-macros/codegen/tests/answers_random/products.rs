@@ -42,7 +42,7 @@ fn parameters() {
 }
 
 /// Returns a random direction. Parameters change by a fraction of themselves.
-fn random_direction(sample: &Sample, number: u64) -> Direction {
+pub fn random_direction(sample: &Sample, number: u64) -> Direction {
     let mut random = Random::new(77_000_000 + 1000 * sample.seed + number);
     let mut direction = sample.no_direction();
     let all = [&mut direction.coordinates, &mut direction.rates, &mut direction.inputs];
