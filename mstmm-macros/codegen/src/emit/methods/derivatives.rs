@@ -1,6 +1,7 @@
 //! The methods for the derivatives of inverse dynamics and of the accelerations.
 
 use super::super::arrays::usize_literal;
+use super::super::names::helper;
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
 use super::dynamics::of_accelerations;
@@ -8,8 +9,8 @@ use super::{MethodTemplate, fallible, of_state_and_inputs};
 use crate::compile::{layouts, outputs};
 use crate::model::{Answer, InputKind};
 use crate::program::OutputId;
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 /// Returns the docs of the derivatives of inverse dynamics.
 pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
@@ -90,7 +91,7 @@ pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
         docs: docs_of_linearization(cx),
         arguments: quote!(#given linearization_: &mut #linearization<T>,),
         returns: fallible(cx, &quote!(())),
-        opening: TokenStream::new(),
+        opening: factors(cx),
         end: quote!(#products ::core::result::Result::Ok(())),
         destination: |cx, id: OutputId| {
             let place = match id {
@@ -98,10 +99,10 @@ pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
                     return Destination::Vector(quote!(linearization_.accelerations));
                 }
                 outputs::INVERSE_MASS_MATRIX => quote!(linearization_.inverse_mass_matrix),
-                outputs::BY_COORDINATES => quote!(linearization_.by_coordinates),
-                outputs::BY_RATES => quote!(linearization_.by_rates),
+                outputs::BY_COORDINATES => quote!(by_coordinates_),
+                outputs::BY_RATES => quote!(by_rates_),
                 outputs::BY_INPUTS => quote!(linearization_.by_inputs),
-                outputs::BY_PARAMETERS => quote!(linearization_.by_parameters),
+                outputs::BY_PARAMETERS => quote!(by_parameters_),
                 _ => bug!("a linearization has no place for `{}`", id.name),
             };
             Destination::Matrix(place, cx.rates().total)
@@ -109,32 +110,47 @@ pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
     }
 }
 
+/// Returns the factors of products with `−M⁻¹`, each with its number of columns: derivatives of inverse dynamics.
+fn factors_of(cx: &EmitContext) -> Vec<(Ident, Ident, usize)> {
+    let rates = cx.rates().total;
+    let parameters = layouts::parameters(cx.chain).total;
+    let all = [("by_coordinates", rates), ("by_rates", rates), ("by_parameters", parameters)];
+    let used = all.into_iter().filter(|(_, columns)| *columns > 0);
+    used.map(|(name, columns)| (format_ident!("{name}"), helper(name), columns)).collect()
+}
+
+/// Returns the declarations of these factors, which the products read and do not write.
+fn factors(cx: &EmitContext) -> TokenStream {
+    let (mstmm, rows) = (&cx.mstmm, usize_literal(cx.rates().total));
+    let declared = factors_of(cx).into_iter().map(|(_, factor, columns)| {
+        let columns = usize_literal(columns);
+        quote!(let mut #factor = #mstmm::generated::matrix([[T::constant(0.0); #rows]; #columns]);)
+    });
+    declared.collect()
+}
+
 /// Returns the statements that multiply derivatives of inverse dynamics by `−M⁻¹`, and set what `a()` needs.
 fn products(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let product = |columns: TokenStream| {
+    let inverse = quote!(linearization_.inverse_mass_matrix);
+    let products = factors_of(cx).into_iter().map(|(result, factor, _)| {
         quote! {
-            #mstmm::generated::multiply_by_negative(&linearization_.inverse_mass_matrix, #columns);
+            #mstmm::linear::negative_product(&#inverse, &#factor, &mut linearization_.#result);
         }
-    };
-    let mut statements = product(quote!(&mut linearization_.by_coordinates.data.0));
-    statements.extend(product(quote!(&mut linearization_.by_rates.data.0)));
+    });
+    let mut statements: TokenStream = products.collect();
     // The columns of motors are those of the inverse.
     for input in &cx.layout.inputs {
         if !matches!(input.what, InputKind::Efforts(_)) {
             let [start, end] = [input.range.start, input.range.end].map(usize_literal);
-            let product = product(quote!(columns_));
             statements.extend(quote! {
                 if let ::core::option::Option::Some(columns_) =
                     linearization_.by_inputs.data.0.get_mut(#start..#end)
                 {
-                    #product
+                    #mstmm::generated::multiply_by_negative(&#inverse, columns_);
                 }
             });
         }
-    }
-    if layouts::parameters(cx.chain).total > 0 {
-        statements.extend(product(quote!(&mut linearization_.by_parameters.data.0)));
     }
     let state = set_state(cx);
     quote!(#statements #state)
