@@ -11,9 +11,10 @@
 use super::kinematics::{LinkKinematics, RigidInertia};
 use super::strategy;
 use super::sweep::{Flatten, PerLink};
-use super::{EvalContext, Trace};
+use super::{Axes, EvalContext, Trace, kinematics};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3};
+use crate::model::SolutionMethod;
 
 /// The inertia of a link before the change to base parameters.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,21 @@ pub struct OriginalInertia<S> {
     pub transferred_mass: S,
     /// Mass, and trace of the inertia, before the transfer: the scales of pivots.
     pub scales: (S, S),
+}
+
+/// Returns the kinematics of all links with base parameters, if functions other than forward dynamics use
+/// them.
+pub fn base_kinematics<S: Scalar>(
+    context: &EvalContext<S>,
+    axes: Axes,
+    trace: &mut Trace<S>,
+) -> PerLink<LinkKinematics<S>> {
+    let mut links = kinematics(context, axes, trace);
+    let is_closed = !context.layout.loop_hinges.is_empty();
+    if strategy::uses_base_parameters(SolutionMethod::Riccati, axes, is_closed) {
+        to_base_parameters(context, &mut links, trace);
+    }
+    links
 }
 
 /// Transfers inertia from the free ends to the ground, over every hinge that rotates about one axis

@@ -27,16 +27,15 @@
 //! The mass matrix of a chain at rest is `M = Sᵀ I S` over pairs of hinges on one path to the ground
 //! (R. Featherstone, *Rigid Body Dynamics Algorithms*, section 6.2).
 
-use super::base_parameters::to_base_parameters;
+use super::base_parameters::base_kinematics;
 use super::dense_matrix::DenseMatrix;
 use super::kinematics::{HingeKinematics, LinkKinematics, RigidInertia};
 use super::loop_hinge::loop_hinge;
-use super::strategy::uses_base_parameters;
 use super::sweep::{Flatten, PerLink};
-use super::{Axes, EvalContext, Trace, kinematics};
+use super::{Axes, EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Vec3, Wrench};
-use crate::model::{Layout, SolutionMethod};
+use crate::model::Layout;
 
 /// Everything outboard of a link's hinge as one body.
 #[derive(Clone, Copy, Debug)]
@@ -150,11 +149,8 @@ pub fn mass_matrix<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> DenseMatrix<S> {
-    let mut links = kinematics(context, axes, trace);
+    let links = base_kinematics(context, axes, trace);
     let closed = loop_hinge(context, axes, &links);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, closed.is_some()) {
-        to_base_parameters(context, &mut links, trace);
-    }
     let bodies = composite_bodies(context, &links, trace);
     let mut matrix = of_composite_bodies(context, &links, &bodies, trace);
     if let Some(closed) = closed {

@@ -33,20 +33,19 @@
 //! `w_a` and `w_β` are also a column of the mass matrix. External loads and springs between bodies are
 //! not part of the wrenches; their efforts are differentiated by sweeps on dual numbers.
 
-use super::base_parameters::to_base_parameters;
+use super::base_parameters::base_kinematics;
 use super::composite::{CompositeBody, composite_bodies, of_composite_bodies, to_ground};
 use super::composite::{twice_velocity, unit_vector};
 use super::dense_matrix::DenseMatrix;
 use super::hinge::combine;
 use super::inverse_dynamics::{accelerations, external_efforts, hinge_wrenches, own_efforts};
 use super::kinematics::{HingeKinematics, LinkKinematics, PartKinematics, hinge_kinematics};
-use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
 use super::tangent::{Direction, Tangent};
-use super::{Axes, EvalContext, Trace, kinematics};
+use super::{Axes, EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Dual, Mat3, Motion, Scalar, Vec3, Wrench};
-use crate::model::{InputKind, SolutionMethod};
+use crate::model::InputKind;
 
 /// A change of the accelerations of all bodies outboard of a hinge, equation (1).
 #[derive(Clone, Copy, Debug)]
@@ -121,10 +120,7 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
     /// Returns the state of an open chain at the given accelerations of `context`. The chain must be
     /// written out.
     pub fn new(context: &'a EvalContext<'a, S>, axes: Axes, trace: &mut Trace<S>) -> Self {
-        let mut links = kinematics(context, axes, trace);
-        if uses_base_parameters(SolutionMethod::Riccati, axes, false) {
-            to_base_parameters(context, &mut links, trace);
-        }
+        let links = base_kinematics(context, axes, trace);
         let bodies = composite_bodies(context, &links, trace);
         let accelerations = accelerations(context, &links, context.base_acceleration(), trace);
         let wrenches = links.enumerate().map(|(index, link)| {

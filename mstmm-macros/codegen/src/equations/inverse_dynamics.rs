@@ -16,18 +16,16 @@
 //! | `F = I a + p + Σ Xᵀ F_c` | wrench that the hinge exerts on its link, from those in the children's hinges (2) | work axes of the link |
 //! | `τ = Sᵀ F + H v̇ − τ_passive` | effort of the drive; `H` are rotor inertias, `τ_passive` the efforts of springs, dampers, friction and stops, minus the rotor efforts that the rates require (3) | rates |
 
-use super::base_parameters::to_base_parameters;
+use super::base_parameters::base_kinematics;
 use super::forward_dynamics::{ForwardDynamics, OutboardState, SweepResult};
 use super::hinge::combine;
 use super::kinematics::{HingeKinematics, LinkKinematics};
 use super::loads::{loads, spring_wrenches};
 use super::loop_hinge::loop_hinge;
-use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::ids::IdVec;
 use crate::math::{Motion, Scalar, Wrench};
-use crate::model::SolutionMethod;
 
 /// Returns the efforts that the drives must supply, at all free rates in the layout's order. Without
 /// given accelerations they are the bias efforts, which keep the rates constant. They balance gravity,
@@ -37,11 +35,8 @@ pub fn inverse_dynamics<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Vec<S> {
-    let mut links = kinematics(context, axes, trace);
+    let links = base_kinematics(context, axes, trace);
     let closed = loop_hinge(context, axes, &links);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, closed.is_some()) {
-        to_base_parameters(context, &mut links, trace);
-    }
     let external = loads(context, &links);
     let accelerations = accelerations(context, &links, context.base_acceleration(), trace);
     let wrenches = links.enumerate().map(|(index, link)| {
@@ -98,10 +93,7 @@ pub fn gravity_efforts<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Vec<S> {
-    let mut links = kinematics(context, axes, trace);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, !context.layout.loop_hinges.is_empty()) {
-        to_base_parameters(context, &mut links, trace);
-    }
+    let links = base_kinematics(context, axes, trace);
     let (felt, _) = context.tree.outward(context.base_acceleration(), |link, parent| {
         (links[link].hinge.motion_from_parent(*parent), ())
     });
@@ -154,11 +146,8 @@ pub fn mass_matrix_times<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> Vec<S> {
-    let mut links = kinematics(context, axes, trace);
+    let links = base_kinematics(context, axes, trace);
     let closed = loop_hinge(context, axes, &links);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, closed.is_some()) {
-        to_base_parameters(context, &mut links, trace);
-    }
     let (accelerations, _) = context.tree.outward(Motion::zero(), |link, parent| {
         let hinge = &links[link].hinge;
         let own = match context.given_accelerations(hinge.id) {

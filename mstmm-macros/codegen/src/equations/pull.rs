@@ -17,25 +17,20 @@
 //! Differentiated in reverse, this sum needs a single sweep inward. In it the adjoint of `ζ` is the wrench
 //! in the hinge.
 
-use super::base_parameters::to_base_parameters;
+use super::base_parameters::base_kinematics;
 use super::hinge::{combine, dot};
 use super::inverse_dynamics::{accelerations, own_efforts};
 use super::kinematics::{HingeKinematics, LinkKinematics};
 use super::loads::loads;
-use super::strategy::uses_base_parameters;
 use super::sweep::PerLink;
-use super::{Axes, EvalContext, Trace, kinematics};
+use super::{Axes, EvalContext, Trace};
 use crate::math::{Motion, Scalar};
-use crate::model::SolutionMethod;
 
 /// Returns the virtual power `P` of an open chain for virtual rates `z`, at given accelerations: equation
 /// (1).
 pub fn virtual_power<S: Scalar>(context: &EvalContext<S>, z: &[S], axes: Axes) -> S {
     let trace = &mut Trace::silent();
-    let mut links = kinematics(context, axes, trace);
-    if uses_base_parameters(SolutionMethod::Riccati, axes, false) {
-        to_base_parameters(context, &mut links, trace);
-    }
+    let links = base_kinematics(context, axes, trace);
     let external = loads(context, &links);
     let accelerations = accelerations(context, &links, context.base_acceleration(), trace);
     let virtual_motions = virtual_motions(context, &links, z);
