@@ -2,13 +2,13 @@
 //!
 //! `cargo run --release --example satellite`
 
-use mstmm::nalgebra::Vector3;
 use mstmm::prelude::*;
-use mstmm::{BodyPoint, Point};
 
 mstmm_chain! {
     /// A hub that floats, and a wheel with a motor.
     chain Satellite {
+        answers = momentum;
+
         body Hub {
             mass = 100 kg;
             com = [0, 0, 0] m;
@@ -29,31 +29,16 @@ fn control(state: &SatelliteState<f64>) -> SatelliteInputs<f64> {
     SatelliteInputs { axle: (4.0 * state.hub().rate().z).clamp(-0.1, 0.1) }
 }
 
-/// Returns the angular momentum of a body about the inertial origin in N m s, inertial axes.
-fn angular_momentum(com: BodyPoint<Point<f64>>, mass: f64, moments: [f64; 3]) -> Vector3<f64> {
-    let axes = com.orientation();
-    let rate = axes.inverse_transform_vector(&com.angular_velocity());
-    let spin = axes * Vector3::from(moments).component_mul(&rate);
-    mass * com.position().cross(&com.velocity()) + spin
-}
-
 fn main() -> Result<(), mstmm::Error> {
     let satellite = Satellite::<f64>::new();
     let mut state = satellite.initial_state();
-    let mut at = satellite.workspace();
-    let mut total_momentum = |state: &SatelliteState<f64>| {
-        satellite.solve_into(state, &satellite.no_inputs(), &mut at)?;
-        let hub = angular_momentum(at.hub().com(), 100.0, [20.0, 25.0, 18.0]);
-        let wheel = angular_momentum(at.wheel().com(), 5.0, [0.03, 0.03, 0.05]);
-        Ok::<_, mstmm::Error>(hub + wheel)
-    };
-
-    let initial = total_momentum(&state)?;
+    let initial = satellite.momentum(&state, &satellite.no_inputs())?;
     let mut rk4 = Rk4::new(1e-2);
     for step in 0..6000 {
         rk4.step(&satellite, &mut state, |_time, state| control(state))?;
         if step % 1000 == 999 {
-            let change = (total_momentum(&state)? - initial).norm();
+            let momentum = satellite.momentum(&state, &satellite.no_inputs())?;
+            let change = (momentum.angular - initial.angular).norm();
             println!(
                 "{:3.0} s   hub {:8.5} rad/s about z   wheel {:7.3} rad/s   change of momentum {change:.0e} N m s",
                 state.time(),

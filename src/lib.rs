@@ -25,6 +25,12 @@ pub mod frames {}
     "CalcMassMatrix",
     "Linearize"
 ))]
+#[doc(alias(
+    "computeCentroidalMomentum",
+    "ccrba",
+    "getFrameJacobian",
+    "CalcJacobianSpatialVelocity"
+))]
 pub mod terms {}
 
 pub mod hinges;
