@@ -21,6 +21,9 @@ panda! {
     pub chain Panda {}
 }
 
+/// The setting of all answers that are timed, before the gravity.
+const ALL: &str = "answers = [basic, regressor, derivatives, linearize, push, pull]; gravity";
+
 /// Robots that branch.
 const TREES: [(&str, &str); 2] = [
     ("HyQ", include_str!("../models/trees/hyq.chain")),
@@ -34,6 +37,7 @@ const RUNS: usize = 11;
 
 fn main() -> Result<(), Box<dyn Error>> {
     time("the Panda", &PANDA.parse()?)?;
+    time("the Panda with all answers", &PANDA.replacen("gravity", ALL, 1).parse()?)?;
     time("32 different bodies", &different_bodies()?.parse()?)?;
     for (name, text) in TREES {
         time(name, &description(text)?)?;
