@@ -1,4 +1,4 @@
-"""The order of bodies that Pinocchio and MuJoCo need: each body before its outboard bodies, branch by branch."""
+"""The order of bodies that Pinocchio and MuJoCo need: the bodies of each branch in a row."""
 
 from dataclasses import dataclass, replace
 

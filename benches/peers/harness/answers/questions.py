@@ -78,7 +78,7 @@ def parts(case: Case, numbers: Array) -> States:
 
 
 def shapes(case: Case, question: str) -> list[list[tuple[str, int]]]:
-    """Returns what the rows and columns of the matrices and vectors of an answer belong to, and their numbers."""
+    """Returns what rows and columns of an answer's matrices and vectors belong to, and their numbers."""
     n = case.rates
     rates, motors = ("rates", n), ("motors", n - 6 if case.floating else n)
     vector, matrix = [rates], [rates, rates]

@@ -51,34 +51,33 @@ def write(work: Path, clang: str, measured: list[Answered]) -> str:
 
 
 def table(case: str, answered: list[Answered]) -> list[str]:
+    """Returns the table of times, then that of differences."""
     peers = [name for name in PEERS if any(each.best(name) for each in answered)]
-    unit = forward_dynamics(answered, "mstmm")
-    lines = [
-        f"## {case}",
-        "",
-        f"| | ns | FD | {' | '.join(peers)} | largest difference, typical |",
-        f"|---|---:|---:|{'---:|' * len(peers)}---|",
-    ]
+    unit, unit_of_lanes = (forward_dynamics(answered, name) for name in ("mstmm", "mstmm, lanes"))
+    head = f"| {case} | ns | FD | {' | '.join(peers)} |"
+    lines = [f"## {case}", "", head, f"|---|{'---:|' * (2 + len(peers))}"]
     for each in answered:
-        own = each.best("mstmm")
-        time = own.fastest if own else float("nan")
-        cells = [each.question.title, digits(time), f"{time / unit:.2f}"]
         others = [each.best(name) for name in peers]
-        cells += [f"{digits(row.fastest)} ({row.fastest / time:.2f})" if row else "" for row in others]
-        differences = {
-            name: f"{name} {row.error:.0e}, {row.typical_error:.0e}"
-            for name, row in zip(peers, others, strict=True)
-            if row
-        }
-        cells.append("; ".join(differences.values()))
-        lines.append(f"| {' | '.join(cells)} |")
+        if own := each.best("mstmm"):
+            cells = [each.question.title, digits(own.fastest), f"{own.fastest / unit:.2f}"]
+            for row in others:
+                cells.append(f"{digits(row.fastest)} ({factor(row.fastest / own.fastest)})" if row else "")
+            lines.append(f"| {' | '.join(cells)} |")
         if lanes := each.best("mstmm, lanes"):
-            unit_of_lanes = forward_dynamics(answered, "mstmm, lanes")
-            title = f"{each.question.title}, 8 states at a time, per state"
-            ratios = [f"({row.fastest / lanes.fastest:.1f})" if row else "" for row in others]
-            cells = [title, digits(lanes.fastest), f"{lanes.fastest / unit_of_lanes:.2f}", *ratios]
-            lines.append(f"| {' | '.join(cells)} | {lanes.error:.0e}, {lanes.typical_error:.0e} |")
+            cells = [f"({factor(row.fastest / lanes.fastest)})" if row else "" for row in others]
+            title = f"{each.question.title}, `f64x8`, per state"
+            cells = [title, digits(lanes.fastest), f"{lanes.fastest / unit_of_lanes:.2f}", *cells]
+            lines.append(f"| {' | '.join(cells)} |")
+    lines += ["", f"| {case}, differences | {' | '.join(peers)} |", f"|---|{'---:|' * len(peers)}"]
+    for each in answered:
+        others = [each.best(name) for name in peers]
+        cells = [f"{row.error:.0e} ({row.typical_error:.0e})" if row else "" for row in others]
+        lines.append(f"| {' | '.join([each.question.title, *cells])} |")
     return [*lines, ""]
+
+
+def factor(ratio: float) -> str:
+    return f"{ratio:.1f}" if ratio >= 10 else f"{ratio:.2f}"
 
 
 def forward_dynamics(answered: list[Answered], name: str) -> float:

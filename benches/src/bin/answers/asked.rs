@@ -84,7 +84,7 @@ asked!(Balls3, Balls3Variation, (9, 0, 30, 30), [vectors jacobian regressor matr
         *hinge = (*torque).into();
     }
 });
-asked!(Balls30, Balls30Variation, (90, 0, 300, 300), [vectors jacobian regressor],
+asked!(Balls30, Balls30Variation, (90, 0, 300, 300), [vectors jacobian regressor matrices],
     (|at| at.cube(29).map(|cube| cube.output())), |inputs, torques| {
     for (hinge, torque) in inputs.joint.iter_mut().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
