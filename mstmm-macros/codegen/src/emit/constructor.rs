@@ -5,6 +5,7 @@ use super::arrays::usize_literal;
 use super::closure;
 use super::const_expr::value_tokens;
 use super::docs;
+use super::methods;
 use super::names::helper;
 use super::parameters;
 use super::printer::Destination;
@@ -48,7 +49,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 fn chain_type(cx: &EmitContext) -> TokenStream {
     let name = &cx.names.chain;
     let (visibility, attributes) = (&cx.passthrough.visibility, &cx.passthrough.attributes);
-    let description = docs::chain(cx);
+    let description = [docs::chain(cx), methods::operations(cx)].concat();
     let (field, sealed) = (sealed::field(), sealed::type_of(cx));
     quote! {
         #(#attributes)*

@@ -101,6 +101,11 @@ impl Answer {
         Answer::MomentumMatrix,
     ];
 
+    /// Returns whether chains have this function only if their description asks for it.
+    pub fn is_requested(self) -> bool {
+        self >= Answer::BiasEfforts
+    }
+
     /// Returns its name in the text of a program.
     pub fn name(self) -> &'static str {
         match self {

@@ -76,6 +76,24 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
+/// Returns a table of the operations of all functions that the description asks for, for the docs of the chain.
+pub fn operations(cx: &EmitContext) -> Vec<String> {
+    let requested = cx.compiled.functions.iter().filter_map(|function| {
+        let is_public = |answer: &Answer| answer.is_requested() && *answer != Answer::EffortsChange;
+        let answer = function.answer.filter(is_public)?;
+        let name = template(cx, answer).name.into_iter().last()?.to_string();
+        let cost = function.procedure.cost();
+        Some(format!(" | [`{name}`](Self::{name}) | {} | {cost} |", cost.arithmetic()))
+    });
+    let rows: Vec<String> = requested.collect();
+    if rows.is_empty() {
+        return rows;
+    }
+    let head =
+        [String::new(), " | answer | operations | in detail |".into(), " |---|---|---|".into()];
+    head.into_iter().chain(rows).collect()
+}
+
 /// Returns the method of a function.
 fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let Some(answer) = function.answer else { bug!("the setup is no method") };
