@@ -93,7 +93,7 @@ impl Case {
                 Some(Budget { instructions: 2_000, stack: 1024, code: None })
             }
             (Chain::LinearArm, Precision::Single) => {
-                Some(Budget { instructions: 15_000, stack: 4096, code: None })
+                Some(Budget { instructions: 15_000, stack: 4608, code: None })
             }
             (_, Precision::Double) => None,
         }
