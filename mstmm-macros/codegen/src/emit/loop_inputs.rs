@@ -15,16 +15,17 @@ pub fn pattern(names: &[Option<Ident>]) -> TokenStream {
     quote!([#(#names),*])
 }
 
-/// Zips several loop inputs into one.
+/// Zips several loop inputs into one. Inward, each is reversed: the end of zipped iterators is a panic unless the compiler
+/// finds that they are equally long.
 pub fn zipped(inputs: Vec<LoopInput>, times: &Literal, inward: bool) -> LoopInput {
-    let mut inputs = inputs.into_iter();
-    let (mut pattern, mut iterator) = inputs.next().unwrap_or((quote!(_), quote!((0..#times))));
-    for (next_pattern, next_iterator) in inputs {
-        pattern = quote!((#pattern, #next_pattern));
-        iterator = quote!(::core::iter::zip(#iterator, #next_iterator));
-    }
-    if inward {
-        iterator = quote!(::core::iter::Iterator::rev(#iterator));
-    }
-    (pattern, iterator)
+    let directed = |(pattern, iterator): LoopInput| match inward {
+        true => (pattern, quote!(::core::iter::Iterator::rev(#iterator))),
+        false => (pattern, iterator),
+    };
+    let mut inputs = inputs.into_iter().map(directed);
+    let first = inputs.next().unwrap_or_else(|| directed((quote!(_), quote!((0..#times)))));
+    inputs.fold(first, |(pattern, iterator), (next_pattern, next_iterator)| {
+        let pattern = quote!((#pattern, #next_pattern));
+        (pattern, quote!(::core::iter::zip(#iterator, #next_iterator)))
+    })
 }
