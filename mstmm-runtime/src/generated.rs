@@ -3,6 +3,7 @@
 //! They are not part of the public interface and may change with every version.
 
 mod columns;
+pub mod description;
 mod linkage;
 mod not_asked;
 
@@ -356,6 +357,23 @@ pub fn sin(value: f64) -> f64 {
 pub fn cos(value: f64) -> f64 {
     let (_, [cosine]) = <f64 as Scalar>::sin_cos([value]);
     cosine
+}
+
+/// Returns the sine of an angle in rad.
+pub fn scalar_sin<T: Scalar>(angle: T) -> T {
+    let ([sine], _) = T::sin_cos([angle]);
+    sine
+}
+
+/// Returns the cosine of an angle in rad.
+pub fn scalar_cos<T: Scalar>(angle: T) -> T {
+    let (_, [cosine]) = T::sin_cos([angle]);
+    cosine
+}
+
+/// Returns an entry of an array, zero beyond its end.
+pub fn entry<T: Scalar>(array: &[T], index: usize) -> T {
+    array.get(index).copied().unwrap_or_default()
 }
 
 /// Returns nalgebra's vector with these entries.

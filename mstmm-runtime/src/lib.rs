@@ -105,6 +105,7 @@ extern crate std;
 
 mod body;
 mod chain;
+pub mod description;
 mod dual;
 mod energy;
 mod error;
@@ -129,6 +130,7 @@ mod trig;
 
 pub use body::{BodyResult, HasCom, HasOutput, OptionalPoints};
 pub use chain::{Chain, ChainState, GeneratedChain};
+pub use description::{Described, Description};
 pub use dual::Dual;
 pub use energy::Energy;
 pub use error::Error;

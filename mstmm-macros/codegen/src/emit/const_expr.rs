@@ -39,3 +39,16 @@ fn function(cx: &EmitContext, name: &str, argument: TokenStream) -> TokenStream 
     let name = format_ident!("{name}");
     quote!(#mstmm::generated::#name(#argument))
 }
+
+/// Returns whether a formula can be evaluated in a `const` item.
+pub fn is_const(cx: &EmitContext, value: &Value) -> bool {
+    let is_const = |value: &Value| is_const(cx, value);
+    match value {
+        Value::Number(_) | Value::Symbol(Symbol::Constant(_)) => true,
+        Value::Sum(a, b) | Value::Product(a, b) | Value::Quotient(a, b) => {
+            is_const(a) && is_const(b)
+        }
+        Value::Symbol(Symbol::Parameter(index)) => is_const(&cx.chain.parameters[*index].default),
+        Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => false,
+    }
+}

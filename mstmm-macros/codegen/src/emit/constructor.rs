@@ -3,7 +3,7 @@
 use super::EmitContext;
 use super::arrays::usize_literal;
 use super::closure;
-use super::const_expr::value_tokens;
+use super::const_expr::{is_const, value_tokens};
 use super::docs;
 use super::methods;
 use super::names::helper;
@@ -12,7 +12,7 @@ use super::printer::Destination;
 use super::sealed;
 use crate::compile::outputs;
 use crate::ids::RepeatId;
-use crate::model::{Bound, Requirement, Symbol, Value};
+use crate::model::{Bound, Requirement};
 use proc_macro2::{Delimiter, Group, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
@@ -179,17 +179,4 @@ fn assertion(cx: &EmitContext, requirement: &Requirement) -> Option<TokenStream>
             const _: () = { #checks };
         }
     })
-}
-
-/// Returns whether a formula can be evaluated in a `const` item.
-fn is_const(cx: &EmitContext, value: &Value) -> bool {
-    let is_const = |value: &Value| is_const(cx, value);
-    match value {
-        Value::Number(_) | Value::Symbol(Symbol::Constant(_)) => true,
-        Value::Sum(a, b) | Value::Product(a, b) | Value::Quotient(a, b) => {
-            is_const(a) && is_const(b)
-        }
-        Value::Symbol(Symbol::Parameter(index)) => is_const(&cx.chain.parameters[*index].default),
-        Value::Sqrt(_) | Value::Sin(_) | Value::Cos(_) => false,
-    }
 }

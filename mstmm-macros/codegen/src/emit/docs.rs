@@ -56,6 +56,13 @@ fn instances(cx: &EmitContext) -> Vec<String> {
     lines
 }
 
+/// Returns the lines of doc comments, without the space at their beginning.
+pub fn written(attributes: &[syn::Attribute]) -> Vec<String> {
+    let docs = attributes.iter().filter(|attribute| attribute.path().is_ident("doc"));
+    let texts = docs.filter_map(doc_text);
+    texts.map(|line| line.strip_prefix(' ').unwrap_or(&line).to_owned()).collect()
+}
+
 /// Returns the text of a doc comment.
 fn doc_text(attribute: &syn::Attribute) -> Option<String> {
     let syn::Meta::NameValue(doc) = &attribute.meta else { return None };

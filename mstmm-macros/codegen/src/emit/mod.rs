@@ -9,6 +9,7 @@ mod closure;
 mod const_expr;
 mod constructor;
 mod derivatives;
+mod description;
 mod docs;
 mod drawing;
 mod error_types;
@@ -101,6 +102,7 @@ pub fn expand(
     let kinematics = kinematics::emit(&cx);
     let variation = variation::emit(&cx);
     let derivatives = derivatives::emit(&cx);
+    let description = description::emit(&cx);
     let ide_links = ide_links::emit(&cx);
     quote! {
         #constructor
@@ -111,6 +113,7 @@ pub fn expand(
         #kinematics
         #variation
         #derivatives
+        #description
         #ide_links
     }
 }

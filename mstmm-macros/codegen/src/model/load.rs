@@ -19,6 +19,8 @@ pub enum Source {
 pub struct Load {
     /// Its name; in a part, the names of the path joined by `_`.
     pub name: Ident,
+    /// The path as written, for the description at run time: `fl.push`.
+    pub path: String,
     /// The body that it acts on.
     pub body: BodyId,
     /// The point of application, body frame. Its axes are those of a load in body axes.

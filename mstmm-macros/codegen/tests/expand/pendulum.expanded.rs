@@ -704,6 +704,34 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         }
     }
 }
+#[allow(clippy::all)]
+impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
+    const DESCRIPTION: &'static ::mstmm::Description = &{
+        use ::mstmm::generated::description::*;
+        const PIN_: Shape_ = shape_("pin", &[turning_("angle", "rate", "")]);
+        const BODY0_: Inertia_ = diag_(
+            1.5,
+            [0.5, 0.0, 0.0],
+            [0.01, 0.08333333333333333, 0.08333333333333333],
+            true,
+        );
+        describe_("Pendulum", "A rod on a motor.", 3)
+            .hinged(&[PIN_.named("joint").starting(&[-1.5707963267948966], &[0.0])])
+            .bodied(&[BODY0_.named("rod", "Rod")])
+            .connected(&["joint.input", "rod.input", "rod.output"])
+            .driven(&[torque_("joint", "")])
+            .changed(&[parameter_("payload", "kg", 0.5)])
+    };
+    fn change_inertia_(&self, it_: &mut ::mstmm::generated::description::Inertia_<T>) {
+        let parameters_ = self.parameters();
+        match it_.row {
+            0 => {
+                it_.mass = (T::constant(1f64) + parameters_.payload);
+            }
+            _ => {}
+        }
+    }
+}
 const _: () = {
     #[allow(dead_code)]
     fn elements<T: ::mstmm::Scalar>() {

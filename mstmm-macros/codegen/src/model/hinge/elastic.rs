@@ -1,15 +1,16 @@
 //! Elastic: a displacement in m and three angles in rad; a velocity in m/s and an angular velocity in
 //! rad/s.
 
-use super::{DofGroup, HingeSpec, Representation, StateView, ViewArgument, translations, zero};
+use super::{DofGroup, HingeSpec, Representation, StateView, ViewArgument, displacements, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "elastic",
     coordinates: &[zero("x"), zero("y"), zero("z"), zero("roll"), zero("pitch"), zero("yaw")],
     rates: &["vx", "vy", "vz", "wx", "wy", "wz"],
     groups: &[
-        translations(3),
+        displacements(3),
         DofGroup {
+            names: ["angles", "rate"],
             rotational: true,
             representation: Representation::Angles,
             coordinates: 3..6,

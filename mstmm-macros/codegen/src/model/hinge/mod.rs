@@ -202,6 +202,8 @@ pub struct HingeSpec {
 /// Degrees of freedom of one type.
 #[derive(Debug, PartialEq)]
 pub struct DofGroup {
+    /// The accessors of the coordinates and of the rates in the view.
+    pub names: [&'static str; 2],
     /// Whether they are rotations; translations otherwise.
     pub rotational: bool,
     /// The representation of their coordinates.
@@ -341,6 +343,7 @@ const fn one(name: &'static str) -> Coordinate {
 /// Translations: the first coordinates and rates of a hinge.
 const fn translations(count: usize) -> DofGroup {
     DofGroup {
+        names: ["position", "velocity"],
         rotational: false,
         representation: Representation::Numbers,
         coordinates: 0..count,
@@ -348,10 +351,16 @@ const fn translations(count: usize) -> DofGroup {
     }
 }
 
+/// The translations of an elastic hinge.
+const fn displacements(count: usize) -> DofGroup {
+    DofGroup { names: ["displacement", "velocity"], ..translations(count) }
+}
+
 /// Rotations after `translations` translations, each a scalar.
 const fn rotations(translations: usize, count: usize) -> DofGroup {
     let range = translations..translations + count;
     DofGroup {
+        names: if count == 1 { ["angle", "rate"] } else { ["angles", "rates"] },
         rotational: true,
         representation: Representation::Numbers,
         coordinates: translations..translations + count,
@@ -363,6 +372,7 @@ const fn rotations(translations: usize, count: usize) -> DofGroup {
 const fn quaternion(translations: usize) -> DofGroup {
     let rates = translations..translations + 3;
     DofGroup {
+        names: ["orientation", "rate"],
         rotational: true,
         representation: Representation::Quaternion,
         coordinates: translations..translations + 4,

@@ -1,13 +1,13 @@
 //! Elastic in the plane: a displacement in m and an angle in rad; a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{HingeSpec, StateView, ViewArgument, rotations, translations, zero};
+use super::{HingeSpec, StateView, ViewArgument, displacements, rotations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "elastic",
     coordinates: &[zero("x"), zero("y"), zero("angle")],
     rates: &["vx", "vy", "rate"],
-    groups: &[translations(2), rotations(2, 1)],
+    groups: &[displacements(2), rotations(2, 1)],
     view: Some(StateView {
         name: "PlaneElasticState",
         groups: &[

@@ -226,6 +226,7 @@ impl LoadDraft<'_> {
         let at = Frame { position: self.at?, ..Frame::identity() };
         Some(crate::model::Load {
             name: self.name.joined,
+            path: self.name.path,
             body: numbers.body(self.body?),
             at,
             axes: self.axes?,

@@ -1,0 +1,201 @@
+//! Hinges: their kinds, coordinates and rates.
+
+use super::items::Element;
+use super::part::{Part, QuantityKind};
+
+/// The degrees of freedom of one type in a kind of hinge: translations or rotations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dofs {
+    /// The accessors of coordinates and rates.
+    names: [&'static str; 2],
+    /// Their components, a character for each; empty for a scalar.
+    components: [&'static str; 2],
+    /// The kinds of coordinates and rates.
+    kinds: [QuantityKind; 2],
+}
+
+impl Dofs {
+    /// Makes translations.
+    pub(crate) const fn moving(
+        coordinates: &'static str,
+        rates: &'static str,
+        components: &'static str,
+    ) -> Self {
+        Dofs {
+            names: [coordinates, rates],
+            components: [components; 2],
+            kinds: [QuantityKind::Length, QuantityKind::Velocity],
+        }
+    }
+
+    /// Makes rotations by angles.
+    pub(crate) const fn turning(
+        coordinates: &'static str,
+        rates: &'static str,
+        components: &'static str,
+    ) -> Self {
+        Dofs {
+            names: [coordinates, rates],
+            components: [components; 2],
+            kinds: [QuantityKind::Angle, QuantityKind::AngularVelocity],
+        }
+    }
+
+    /// Makes all rotations, with a quaternion.
+    pub(crate) const fn orienting(coordinates: &'static str, rates: &'static str) -> Self {
+        Dofs {
+            names: [coordinates, rates],
+            components: ["wxyz", "xyz"],
+            kinds: [QuantityKind::Quaternion, QuantityKind::AngularVelocity],
+        }
+    }
+
+    /// Returns whether these are rotations.
+    #[must_use]
+    pub fn is_rotation(&self) -> bool {
+        self.kinds[0] != QuantityKind::Length
+    }
+
+    fn count(&self, side: usize) -> usize {
+        self.components[side].len().max(1)
+    }
+}
+
+/// A kind of hinge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HingeShape {
+    keyword: &'static str,
+    dofs: &'static [Dofs],
+}
+
+#[doc(hidden)]
+impl HingeShape {
+    /// Makes a kind of hinge.
+    pub(crate) const fn new(keyword: &'static str, dofs: &'static [Dofs]) -> Self {
+        HingeShape { keyword, dofs }
+    }
+
+    /// Makes a hinge of this kind.
+    #[must_use]
+    pub const fn named(self, path: &'static str) -> Hinge {
+        Hinge { path, shape: self, is_prescribed: false, start: &[], start_rate: &[], limits: &[] }
+    }
+}
+
+/// A hinge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hinge {
+    path: &'static str,
+    shape: HingeShape,
+    is_prescribed: bool,
+    start: &'static [f64],
+    start_rate: &'static [f64],
+    limits: &'static [[f64; 2]],
+}
+
+#[doc(hidden)]
+impl Hinge {
+    /// Makes its motion prescribed.
+    #[must_use]
+    pub const fn prescribed(mut self) -> Self {
+        self.is_prescribed = true;
+        self
+    }
+
+    /// Sets coordinates and rates at the start; not a number if the compiler does not know them.
+    #[must_use]
+    pub const fn starting(mut self, start: &'static [f64], rate: &'static [f64]) -> Self {
+        (self.start, self.start_rate) = (start, rate);
+        self
+    }
+
+    /// Sets the limits of its degrees of freedom, one pair for those of each type.
+    #[must_use]
+    pub const fn limited(mut self, limits: &'static [[f64; 2]]) -> Self {
+        self.limits = limits;
+        self
+    }
+}
+
+impl Hinge {
+    /// Returns the keyword of its kind, such as `pin`.
+    #[must_use]
+    pub fn keyword(&self) -> &'static str {
+        self.shape.keyword
+    }
+
+    /// Returns whether its motion is prescribed: it then has no coordinates and rates in the state.
+    #[must_use]
+    pub fn is_prescribed(&self) -> bool {
+        self.is_prescribed
+    }
+
+    /// Returns its degrees of freedom: translations, then rotations.
+    #[must_use]
+    pub fn dofs(&self) -> &'static [Dofs] {
+        self.shape.dofs
+    }
+
+    /// Returns the largest angle from rest of a ball, or of the rotations of a floating hinge, in rad.
+    #[must_use]
+    pub fn angle_limit(&self) -> Option<f64> {
+        let dofs = self.shape.dofs.iter().zip(self.limits);
+        let mut quaternions = dofs.filter(|(dofs, _)| dofs.kinds[0] == QuantityKind::Quaternion);
+        quaternions.next().map(|(_, [_, high])| *high).filter(|high| !high.is_nan())
+    }
+
+    /// Returns the number of its coordinates in the state.
+    #[must_use]
+    pub fn coordinate_count(&self) -> usize {
+        self.count(0)
+    }
+
+    /// Returns the number of its rates in the state.
+    #[must_use]
+    pub fn rate_count(&self) -> usize {
+        self.count(1)
+    }
+
+    fn count(&self, side: usize) -> usize {
+        if self.is_prescribed {
+            return 0;
+        }
+        self.shape.dofs.iter().map(|dofs| dofs.count(side)).sum()
+    }
+
+    pub(super) fn coordinate(&self, entry: usize) -> Part {
+        let part = self.part(0, entry);
+        let is_scalar_part = part.kind == QuantityKind::Quaternion && part.component == Some('w');
+        let rest = if is_scalar_part { 1.0 } else { 0.0 };
+        Part { start: self.start.get(entry).copied().unwrap_or(rest), ..part }
+    }
+
+    pub(super) fn rate(&self, entry: usize) -> Part {
+        let start = self.start_rate.get(entry).copied().unwrap_or(0.0);
+        Part { start, limits: None, ..self.part(1, entry) }
+    }
+
+    /// Returns an entry of the coordinates (side 0) or the rates (side 1).
+    fn part(&self, side: usize, mut entry: usize) -> Part {
+        for (number, dofs) in self.shape.dofs.iter().enumerate() {
+            if entry < dofs.count(side) {
+                let limits = self.limits.get(number).filter(|limits| !limits[0].is_nan());
+                let kind = dofs.kinds[side];
+                return Part {
+                    group: dofs.names[side],
+                    component: dofs.components[side].chars().nth(entry),
+                    limits: limits.copied().filter(|_| kind != QuantityKind::Quaternion),
+                    ..Part::of(kind)
+                };
+            }
+            entry -= dofs.count(side);
+        }
+        Part::of(QuantityKind::Parameter)
+    }
+}
+
+impl Element for Hinge {
+    fn path(&self) -> &'static str {
+        self.path
+    }
+}

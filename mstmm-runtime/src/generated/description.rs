@@ -1,0 +1,113 @@
+//! What descriptions of chains are made of.
+//!
+//! Generated code imports all names of this module. They end in an underscore, so they differ from the names of the
+//! user's constants.
+
+use crate::description::{
+    Description, Dimension, Dofs, HingeShape, Input, Parameter, QuantityKind, WrittenInertia,
+};
+
+pub use crate::description::{HingeShape as Shape_, WrittenInertia as Inertia_};
+
+/// A value that is not known while the chain compiles, or a limit that does not exist.
+pub const NAN_: f64 = f64::NAN;
+
+/// Makes the description of a chain without elements, in this number of dimensions.
+#[must_use]
+pub const fn describe_(name: &'static str, docs: &'static str, dimensions: u8) -> Description {
+    let dimension = match dimensions {
+        1 => Dimension::Line,
+        2 => Dimension::Plane,
+        _ => Dimension::Space,
+    };
+    Description::new(name, docs, dimension)
+}
+
+/// Makes a kind of hinge.
+#[must_use]
+pub const fn shape_(keyword: &'static str, dofs: &'static [Dofs]) -> HingeShape {
+    HingeShape::new(keyword, dofs)
+}
+
+/// Makes translations, from the accessors of coordinates and rates and the names of their components.
+#[must_use]
+pub const fn moving_(
+    coordinates: &'static str,
+    rates: &'static str,
+    components: &'static str,
+) -> Dofs {
+    Dofs::moving(coordinates, rates, components)
+}
+
+/// Makes rotations by angles.
+#[must_use]
+pub const fn turning_(
+    coordinates: &'static str,
+    rates: &'static str,
+    components: &'static str,
+) -> Dofs {
+    Dofs::turning(coordinates, rates, components)
+}
+
+/// Makes all rotations, with a quaternion.
+#[must_use]
+pub const fn orienting_(coordinates: &'static str, rates: &'static str) -> Dofs {
+    Dofs::orienting(coordinates, rates)
+}
+
+/// Makes an inertia from mass, centre of mass, and the entries xx, yy, zz of a tensor about the centre of mass or the
+/// input.
+#[must_use]
+pub const fn diag_(mass: f64, com: [f64; 3], diag: [f64; 3], about_com: bool) -> WrittenInertia {
+    let [xx, yy, zz] = diag;
+    WrittenInertia::new(mass, com, [xx, yy, zz, 0.0, 0.0, 0.0], about_com)
+}
+
+/// Makes an inertia from mass, centre of mass, and the entries xx, yy, zz, xy, xz, yz of a tensor.
+#[must_use]
+pub const fn tensor_(
+    mass: f64,
+    com: [f64; 3],
+    tensor: [f64; 6],
+    about_com: bool,
+) -> WrittenInertia {
+    WrittenInertia::new(mass, com, tensor, about_com)
+}
+
+/// Makes a parameter from its path, its unit and its default.
+#[must_use]
+pub const fn parameter_(path: &'static str, unit: &'static str, default: f64) -> Parameter {
+    Parameter::new(path, unit, default)
+}
+
+/// Adds functions that each make inputs of one kind from their path and the names of their components.
+macro_rules! inputs {
+    ($($(#[$doc:meta])* $name:ident: $kind:ident,)*) => { $(
+        $(#[$doc])*
+        #[must_use]
+        pub const fn $name(path: &'static str, components: &'static str) -> Input {
+            Input::new(path, components, QuantityKind::$kind)
+        }
+    )* };
+}
+
+inputs! {
+    /// Makes displacements.
+    length_: Length,
+    /// Makes angles.
+    angle_: Angle,
+    /// Makes components of a quaternion.
+    orientation_: Quaternion,
+    /// Makes velocities.
+    velocity_: Velocity,
+    /// Makes angular velocities.
+    angular_velocity_: AngularVelocity,
+    /// Makes accelerations.
+    acceleration_: Acceleration,
+    /// Makes angular accelerations.
+    angular_acceleration_: AngularAcceleration,
+    /// Makes forces.
+    force_: Force,
+    /// Makes torques.
+    torque_: Torque,
+}

@@ -1,0 +1,10 @@
+//! `Described`: names, units, starts and inertia compared with what accessors, setters and states say.
+
+#[path = "described/inertia.rs"]
+mod inertia;
+#[path = "described/lists.rs"]
+mod lists;
+#[path = "described/models.rs"]
+mod models;
+#[path = "described/names.rs"]
+mod names;
