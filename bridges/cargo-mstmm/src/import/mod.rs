@@ -1,0 +1,158 @@
+//! Reads a URDF file and writes it as the text of a chain.
+//!
+//! ```text
+//! file --xml, robot--> links and joints --bodies--> tree of bodies --parts, naming--> text
+//! ```
+//!
+//! The file is parsed by `roxmltree`: it keeps the places of elements for messages, and it reads files that have a mesh
+//! without a name, which `urdf-rs` refuses.
+
+mod bodies;
+mod comments;
+mod error;
+mod expressions;
+mod frame;
+mod mass;
+mod names;
+mod naming;
+mod numbers;
+mod parts;
+mod robot;
+mod scope;
+mod shapes;
+mod text;
+mod visual;
+mod xml;
+
+use bodies::Tree;
+pub use error::{ImportError, Place, Result};
+use robot::{Kind, Robot};
+use scope::Source;
+use text::Heading;
+
+/// The tolerance of whole degrees in rad.
+pub const SNAP: f64 = 1e-12;
+
+/// How a file is read.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The name of the chain; that of the robot in camel case if absent.
+    pub name: Option<String>,
+    /// The link up to which joints move; all others are held at zero.
+    pub tip: Option<String>,
+    /// Angles that are this close to whole degrees, in rad, become these.
+    pub snap: f64,
+    /// Refuses what a chain cannot have, instead of a warning.
+    pub strict: bool,
+    /// The root link is a free body instead of the ground.
+    pub floating: bool,
+    /// The name of the file, for a comment.
+    pub file: String,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        let file = "a URDF file".to_owned();
+        Options { name: None, tip: None, snap: SNAP, strict: false, floating: false, file }
+    }
+}
+
+/// The text of a chain.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The text.
+    pub text: String,
+    /// What the text has otherwise than the file.
+    pub warnings: Vec<String>,
+}
+
+/// Returns a URDF file as the text of a chain.
+///
+/// # Errors
+///
+/// The place and the reason, if the file is malformed or a chain cannot have what it describes.
+pub fn import(urdf: &str, options: &Options) -> Result<Imported> {
+    if !(options.snap >= 0.0 && options.snap < 0.1) {
+        return Err(ImportError::new("`--snap` must be between 0 and 0.1 rad"));
+    }
+    let robot = Robot::parse(urdf, options.snap)?;
+    let tree = Tree::of(&robot, options.floating, options.tip.as_deref())?;
+    if tree.bodies.is_empty() {
+        let advice = if options.tip.is_some() { "" } else { ": import it with `--floating`" };
+        return Err(ImportError::new(format!("no joint of the robot moves{advice}")));
+    }
+    let warnings = warnings(&robot, &tree, options.strict)?;
+    let chain = chain_name(&robot, options)?;
+    let source = Source { robot: &robot, tree: &tree, snap: options.snap };
+    let heading = Heading { chain: &chain, file: &options.file, warnings: &warnings };
+    let text = text::write(source, &heading);
+    check(&text)?;
+    Ok(Imported { text, warnings })
+}
+
+/// Returns what the text has otherwise than the file; with `strict` this is an error.
+fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
+    let mut warnings: Vec<(Place, String)> = Vec::new();
+    for joint in tree.bodies.iter().filter_map(|body| body.joint) {
+        let joint = &robot.joints[joint];
+        let name = joint.name.escape_debug();
+        if let Some(other) = &joint.mimic {
+            let other = other.escape_debug();
+            let warning =
+                format!("joint `{name}` mimics `{other}` in the file, and is independent here");
+            warnings.push((joint.place, warning));
+        }
+        let omits = joint.damping > 0.0 || joint.friction > 0.0;
+        if matches!(joint.kind, Kind::Planar | Kind::Floating) && omits {
+            let warning =
+                format!("joint `{name}` has damping or friction in the file, and none here");
+            warnings.push((joint.place, warning));
+        }
+    }
+    for link in tree.rounded.iter().map(|link| &robot.links[*link]) {
+        let name = link.name.escape_debug();
+        let warning = format!(
+            "link `{name}` has a moment of inertia that is negative by rounding, and zero here"
+        );
+        warnings.push((link.place, warning));
+    }
+    match warnings.first() {
+        Some((place, warning)) if strict => Err(ImportError::at(*place, warning.clone())),
+        _ => Ok(warnings.into_iter().map(|(_, warning)| warning).collect()),
+    }
+}
+
+fn chain_name(robot: &Robot, options: &Options) -> Result<String> {
+    let Some(name) = &options.name else {
+        return Ok(names::Names::default().unique(&names::camel(&robot.name), "Robot"));
+    };
+    let is_name = syn::parse_str::<proc_macro2::Ident>(name).is_ok() && name != "T" && name != "_";
+    match is_name {
+        true => Ok(name.clone()),
+        false => Err(ImportError::new(format!("`{name}` of `--name` is not a name for a chain"))),
+    }
+}
+
+/// Checks that the text is a chain: only the rules of the language know whether bodies can have their inertia and
+/// whether hinges move any.
+fn check(text: &str) -> Result<()> {
+    let refused = |line: usize, reason: String| {
+        let before: Vec<&str> = text.lines().take(line).collect();
+        let head = |line: &&&str| line.trim_start().starts_with("body ");
+        let body = before.iter().rev().find(head).map_or("", |line| line.trim_matches([' ', '{']));
+        let written = before.last().map_or("", |line| line.trim());
+        ImportError::new(format!("the chain is refused: {body}: {reason}: `{written}`"))
+    };
+    let tokens: proc_macro2::TokenStream =
+        text.parse().map_err(|error: proc_macro2::LexError| {
+            refused(error.span().start().line, error.to_string())
+        })?;
+    let inside = tokens.into_iter().find_map(|token| match token {
+        proc_macro2::TokenTree::Group(group) => Some(group.stream()),
+        _ => None,
+    });
+    match mstmm_codegen::read_and_examine(inside.unwrap_or_default()) {
+        Ok(_) => Ok(()),
+        Err(errors) => Err(refused(errors.span().start().line, errors.to_string())),
+    }
+}

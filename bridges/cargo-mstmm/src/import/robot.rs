@@ -1,0 +1,228 @@
+//! A URDF file as links and joints, with all values checked. Collisions are ignored.
+
+use nalgebra::{Matrix3, Vector3};
+use roxmltree::{Document, ParsingOptions};
+use std::collections::HashMap;
+
+use super::error::{ImportError, Place, Result};
+use super::frame::{Angle, Frame};
+use super::mass::Mass;
+use super::visual::{Visual, visuals};
+use super::xml::Element;
+
+/// The content of a file.
+pub struct Robot {
+    pub name: String,
+    pub links: Vec<Link>,
+    pub joints: Vec<Joint>,
+}
+
+/// A link.
+pub struct Link {
+    pub name: String,
+    pub place: Place,
+    /// Its mass in its frame.
+    pub mass: Mass,
+    pub visuals: Vec<Visual>,
+}
+
+/// A joint.
+pub struct Joint {
+    pub name: String,
+    pub place: Place,
+    pub kind: Kind,
+    /// The index of the inboard link.
+    pub parent: usize,
+    /// The index of the outboard link.
+    pub child: usize,
+    /// Its inboard frame in the frame of the inboard link.
+    pub origin: Frame,
+    pub axis: Vector3<f64>,
+    pub limit: Limit,
+    /// In N s/m or N m s/rad.
+    pub damping: f64,
+    /// In N or N m.
+    pub friction: f64,
+    /// The joint that the file couples it to.
+    pub mimic: Option<String>,
+}
+
+/// The type of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    Fixed,
+    Revolute,
+    Continuous,
+    Prismatic,
+    Planar,
+    Floating,
+}
+
+/// The limits of a joint.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limit {
+    /// The lowest and the highest coordinate, if the file has a range.
+    pub range: Option<[f64; 2]>,
+    /// The largest effort; zero if the file has none.
+    pub effort: f64,
+}
+
+impl Robot {
+    /// Parses a file; angles within `snap` of whole degrees are these degrees.
+    pub fn parse(text: &str, snap: f64) -> Result<Robot> {
+        // Other XML readers accept a document type, so files have one.
+        let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(text, options).map_err(|error| {
+            let position = match error {
+                // This error has no place.
+                roxmltree::Error::UnexpectedEndOfStream => end(text),
+                _ => Place { line: error.pos().row, column: error.pos().col },
+            };
+            ImportError::at(position, format!("XML: {error}"))
+        })?;
+        let root = Element::new(document.root_element());
+        if root.tag() != "robot" {
+            return Err(root.error(format!("expected the element `robot`, found `{}`", root.tag())));
+        }
+        let links =
+            root.children("link").map(|element| link(element, snap)).collect::<Result<Vec<_>>>()?;
+        let mut indices = HashMap::new();
+        for (index, link) in links.iter().enumerate() {
+            if indices.insert(link.name.clone(), index).is_some() {
+                return Err(ImportError::at(
+                    link.place,
+                    format!("link `{}` exists twice", link.name),
+                ));
+            }
+        }
+        let joints = root.children("joint").map(|element| joint(element, &indices, snap));
+        let joints = joints.collect::<Result<Vec<_>>>()?;
+        let mut names = HashMap::new();
+        for joint in &joints {
+            if names.insert(&joint.name, ()).is_some() {
+                let message = format!("joint `{}` exists twice", joint.name);
+                return Err(ImportError::at(joint.place, message));
+            }
+        }
+        let name = root.attribute("name").unwrap_or("robot").to_owned();
+        Ok(Robot { name, links, joints })
+    }
+}
+
+/// Returns the place after the last character.
+fn end(text: &str) -> Place {
+    let count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX).saturating_add(1);
+    let last = text.rsplit('\n').next().unwrap_or_default();
+    Place { line: count(text.matches('\n').count()), column: count(last.chars().count()) }
+}
+
+fn link(element: Element, snap: f64) -> Result<Link> {
+    let name = element.required_attribute("name")?.to_owned();
+    let mass = element.child("inertial").map_or_else(|| Ok(Mass::none()), |e| mass(e, snap))?;
+    Ok(Link { name, place: element.place(), mass, visuals: visuals(element)? })
+}
+
+/// Reads the element `inertial`.
+fn mass(element: Element, snap: f64) -> Result<Mass> {
+    let mass = element.required_child("mass")?;
+    let value = mass.required_number("value")?;
+    if value < 0.0 {
+        return Err(mass.error(format!("the mass {value} kg is negative")));
+    }
+    let inertia = element.required_child("inertia")?;
+    let entry = |name: &str| inertia.number(name, 0.0);
+    let (xx, yy, zz) = (entry("ixx")?, entry("iyy")?, entry("izz")?);
+    let (xy, xz, yz) = (entry("ixy")?, entry("ixz")?, entry("iyz")?);
+    let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    let frame =
+        element.child("origin").map_or_else(|| Ok(Frame::identity()), |e| origin(e, snap))?;
+    Ok(Mass { mass: value, com: Vector3::zeros(), tensor }.seen_from(&frame))
+}
+
+fn joint(element: Element, links: &HashMap<String, usize>, snap: f64) -> Result<Joint> {
+    let name = element.required_attribute("name")?.to_owned();
+    let kind = kind(element)?;
+    let linked = |tag: &str| {
+        let end = element.required_child(tag)?;
+        let link = end.required_attribute("link")?;
+        let missing = || end.error(format!("the link `{link}` does not exist"));
+        links.get(link).copied().ok_or_else(missing)
+    };
+    let (parent, child) = (linked("parent")?, linked("child")?);
+    let origin =
+        element.child("origin").map_or_else(|| Ok(Frame::identity()), |e| origin(e, snap))?;
+    let axis = axis(element, kind)?;
+    let [damping, friction] =
+        ["damping", "friction"].map(|which| match element.child("dynamics") {
+            None => Ok(0.0),
+            Some(dynamics) => match dynamics.number(which, 0.0)? {
+                value if value < 0.0 => {
+                    Err(dynamics.error(format!("the {which} {value} is negative")))
+                }
+                value => Ok(value),
+            },
+        });
+    let mimic =
+        element.child("mimic").map(|mimic| mimic.attribute("joint").unwrap_or("").to_owned());
+    Ok(Joint {
+        name,
+        place: element.place(),
+        kind,
+        parent,
+        child,
+        origin,
+        axis,
+        limit: element.child("limit").map_or_else(|| Ok(Limit::default()), |e| limit(e, kind))?,
+        damping: damping?,
+        friction: friction?,
+        mimic,
+    })
+}
+
+fn kind(element: Element) -> Result<Kind> {
+    Ok(match element.required_attribute("type")? {
+        "fixed" => Kind::Fixed,
+        "revolute" => Kind::Revolute,
+        "continuous" => Kind::Continuous,
+        "prismatic" => Kind::Prismatic,
+        "planar" => Kind::Planar,
+        "floating" => Kind::Floating,
+        other => return Err(element.error(format!("`{other}` is not a type of joint"))),
+    })
+}
+
+fn origin(element: Element, snap: f64) -> Result<Frame> {
+    let angles: [f64; 3] = element.vector("rpy", [0.0; 3])?.into();
+    let angles = angles.map(|angle| Angle::snapped(angle, snap));
+    Ok(Frame::new(element.vector("xyz", [0.0; 3])?, angles))
+}
+
+/// Returns the axis in the joint's frame, x by default.
+fn axis(element: Element, kind: Kind) -> Result<Vector3<f64>> {
+    let x = Vector3::x();
+    let Some(axis) = element.child("axis") else { return Ok(x) };
+    if matches!(kind, Kind::Fixed | Kind::Floating) {
+        return Ok(x);
+    }
+    let vector = axis.vector("xyz", x.into())?;
+    let principal = vector.iter().filter(|component| **component != 0.0).count();
+    match principal {
+        0 => Err(axis.error("the axis is zero")),
+        2 | 3 if kind == Kind::Planar => Err(axis.error(
+            "the normal of a planar joint must be x, y or z of its frame: rotate the frame by `rpy`",
+        )),
+        _ => Ok(vector),
+    }
+}
+
+fn limit(element: Element, kind: Kind) -> Result<Limit> {
+    let effort = element.any_number("effort", 0.0)?.abs();
+    let effort = if effort.is_finite() { effort } else { 0.0 };
+    if !matches!(kind, Kind::Revolute | Kind::Prismatic) {
+        return Ok(Limit { range: None, effort });
+    }
+    let [low, high] = [element.any_number("lower", 0.0)?, element.any_number("upper", 0.0)?];
+    // Files write equal limits for none.
+    let range = (low < high && low.is_finite() && high.is_finite()).then_some([low, high]);
+    Ok(Limit { range, effort })
+}

@@ -1,0 +1,98 @@
+//! Elements of a URDF file, with their numbers and places.
+
+use nalgebra::Vector3;
+use roxmltree::Node;
+
+use super::error::{ImportError, Place, Result};
+
+/// An element of the file.
+#[derive(Clone, Copy)]
+pub struct Element<'a> {
+    node: Node<'a, 'a>,
+}
+
+impl<'a> Element<'a> {
+    pub fn new(node: Node<'a, 'a>) -> Self {
+        Element { node }
+    }
+
+    pub fn tag(self) -> &'a str {
+        self.node.tag_name().name()
+    }
+
+    pub fn place(self) -> Place {
+        let position = self.node.document().text_pos_at(self.node.range().start);
+        Place { line: position.row, column: position.col }
+    }
+
+    /// Makes an error that names the element and the link or the joint that contains it.
+    pub fn error(self, message: impl std::fmt::Display) -> ImportError {
+        let owner =
+            self.node.ancestors().find(|node| matches!(node.tag_name().name(), "link" | "joint"));
+        let name =
+            owner.and_then(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
+        let owner = name.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
+        ImportError::at(self.place(), format!("{owner}{message}"))
+    }
+
+    /// Returns the child elements with a tag, in the order of the file.
+    pub fn children(self, tag: &str) -> impl Iterator<Item = Element<'a>> {
+        self.node.children().filter(move |child| child.tag_name().name() == tag).map(Element::new)
+    }
+
+    pub fn child(self, tag: &str) -> Option<Element<'a>> {
+        self.children(tag).next()
+    }
+
+    pub fn required_child(self, tag: &str) -> Result<Element<'a>> {
+        self.child(tag).ok_or_else(|| self.error(format!("expected an element `{tag}`")))
+    }
+
+    pub fn attribute(self, name: &str) -> Option<&'a str> {
+        self.node.attribute(name)
+    }
+
+    pub fn required_attribute(self, name: &str) -> Result<&'a str> {
+        let missing = || self.error(format!("`{}` has no attribute `{name}`", self.tag()));
+        self.attribute(name).ok_or_else(missing)
+    }
+
+    /// Returns a finite number, or the default if the attribute is absent.
+    pub fn number(self, name: &str, default: f64) -> Result<f64> {
+        let value = self.any_number(name, default)?;
+        if value.is_finite() { Ok(value) } else { Err(self.bad(name, "is not finite")) }
+    }
+
+    /// Returns a number, which may be infinite.
+    pub fn any_number(self, name: &str, default: f64) -> Result<f64> {
+        let Some(text) = self.attribute(name) else { return Ok(default) };
+        let value = text.trim().parse::<f64>().map_err(|_| self.bad(name, "is not a number"))?;
+        if value.is_nan() { Err(self.bad(name, "is not a number")) } else { Ok(value) }
+    }
+
+    pub fn required_number(self, name: &str) -> Result<f64> {
+        self.required_attribute(name)?;
+        self.number(name, 0.0)
+    }
+
+    /// Returns three finite numbers, or the default if the attribute is absent.
+    pub fn vector(self, name: &str, default: [f64; 3]) -> Result<Vector3<f64>> {
+        let Some(text) = self.attribute(name) else { return Ok(default.into()) };
+        let words = text.split_whitespace().map(str::parse::<f64>);
+        let numbers: Vec<f64> = words
+            .collect::<std::result::Result<_, _>>()
+            .map_err(|_| self.bad(name, "is not three numbers"))?;
+        let Ok(vector) = <[f64; 3]>::try_from(numbers) else {
+            return Err(self.bad(name, "is not three numbers"));
+        };
+        match vector.iter().all(|number| number.is_finite()) {
+            true => Ok(vector.into()),
+            false => Err(self.bad(name, "is not finite")),
+        }
+    }
+
+    fn bad(self, name: &str, reason: &str) -> ImportError {
+        let text = self.attribute(name).unwrap_or_default();
+        self.error(format!("`{name}=\"{text}\"` of `{}` {reason}", self.tag()))
+    }
+}

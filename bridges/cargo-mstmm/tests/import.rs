@@ -1,0 +1,123 @@
+//! Small URDF files, each with its text or with the reason why it is refused; and files with random errors.
+
+use cargo_mstmm::import::{Options, import};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf")
+}
+
+/// Returns all files, in the order of their names.
+fn files() -> Vec<PathBuf> {
+    let entries =
+        fs::read_dir(folder()).expect("the folder is there").map(|entry| entry.unwrap().path());
+    let mut files: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == "urdf")).collect();
+    files.sort();
+    files
+}
+
+/// Reads the options from the comment with which a file begins: `<!-- options: floating, tip tool -->`.
+fn options(path: &Path, text: &str) -> Options {
+    let line = text
+        .strip_prefix("<!-- options: ")
+        .and_then(|text| Some(text.split_once(" -->")?.0))
+        .unwrap_or("");
+    let file = path.file_name().unwrap().to_string_lossy().into_owned();
+    let mut options = Options { file, ..Options::default() };
+    for option in line.split(", ").filter(|option| !option.is_empty()) {
+        let (word, value) = option.split_once(' ').unwrap_or((option, ""));
+        match word {
+            "floating" => options.floating = true,
+            "strict" => options.strict = true,
+            "tip" => options.tip = Some(value.to_owned()),
+            "name" => options.name = Some(value.to_owned()),
+            "snap" => options.snap = value.parse().unwrap(),
+            _ => panic!("{}: {word}", path.display()),
+        }
+    }
+    options
+}
+
+/// Compares with the stored text; `MSTMM_BLESS=1` stores it.
+#[test]
+fn files_become_the_stored_texts() {
+    let mut wrong = String::new();
+    let files = files();
+    assert!(files.len() > 20, "the files are missing");
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        let (found, extension, other) = match import(&text, &options(&path, &text)) {
+            Ok(imported) => {
+                let warnings =
+                    imported.warnings.iter().map(|warning| format!("// warning: {warning}\n"));
+                (warnings.collect::<String>() + &imported.text, "chain", "error")
+            }
+            Err(error) => (format!("{error}\n"), "error", "chain"),
+        };
+        let stored = path.with_extension(extension);
+        if std::env::var_os("MSTMM_BLESS").is_some() {
+            fs::write(&stored, &found).unwrap();
+            let _ = fs::remove_file(path.with_extension(other));
+        } else if fs::read_to_string(&stored).unwrap_or_default() != found {
+            writeln!(wrong, "{} is now:\n{found}", stored.display()).unwrap();
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// A generator of random numbers: xorshift64*.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % count
+    }
+}
+
+/// Files with errors are refused or become a text, and never panic.
+#[test]
+fn files_with_random_errors_do_not_panic() {
+    let time = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
+    let seed = std::env::var("MSTMM_SEED")
+        .map_or(time.as_nanos() as u64 | 1, |seed| seed.parse().unwrap());
+    println!("MSTMM_SEED={seed}");
+    let mut random = Random(seed);
+    let words = [
+        "nan", "-1", "0", "1e999", "0 0 0", "\"", "<", ">", "/>", "&", "world", "fixed", "", "é",
+        "1e-320",
+    ];
+    let files = files();
+    let mut refused = 0;
+    for round in 0..600 {
+        let path = &files[round % files.len()];
+        let mut text: Vec<char> = fs::read_to_string(path).unwrap().chars().collect();
+        let options = options(path, &text.iter().collect::<String>());
+        if random.below(4) == 0 {
+            text.truncate(random.below(text.len()));
+        } else {
+            for _ in 0..=random.below(3) {
+                // A word of the file is replaced: names, numbers and tags.
+                let start = random.below(text.len());
+                let is_end = |c: &char| matches!(c, '"' | ' ' | '<' | '>' | '=' | '\n');
+                let length = text[start..].iter().position(is_end).unwrap_or(0);
+                let word = words[random.below(words.len())];
+                text.splice(start..start + length, word.chars());
+            }
+        }
+        let text: String = text.into_iter().collect();
+        match import(&text, &options) {
+            Ok(imported) => assert!(imported.text.contains("mstmm_chain!")),
+            Err(error) => {
+                assert!(!error.to_string().contains('\n'), "{error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 100, "{refused}");
+}
