@@ -8,3 +8,5 @@ mod lists;
 mod models;
 #[path = "described/names.rs"]
 mod names;
+#[path = "described/values.rs"]
+mod values;

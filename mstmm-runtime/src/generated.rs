@@ -10,6 +10,7 @@ mod not_asked;
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
 
+pub use crate::description::Values;
 pub use crate::kinematics::{RateRun, inverse_of_positive, inverse_operational_space_inertia};
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
@@ -374,6 +375,11 @@ pub fn scalar_cos<T: Scalar>(angle: T) -> T {
 /// Returns an entry of an array, zero beyond its end.
 pub fn entry<T: Scalar>(array: &[T], index: usize) -> T {
     array.get(index).copied().unwrap_or_default()
+}
+
+/// Returns an entry of a parameter after one of them is set.
+pub fn with_entry<T: Scalar>(before: &[T], index: usize, set: (usize, T)) -> T {
+    if index == set.0 { set.1 } else { entry(before, index) }
 }
 
 /// Returns nalgebra's vector with these entries.

@@ -1,7 +1,8 @@
 //! The trait of chains that describe themselves.
 
+use super::values::Values;
 use super::{BodyInertia, Description, WrittenInertia};
-use crate::GeneratedChain;
+use crate::{Error, GeneratedChain};
 
 /// A chain that describes itself at run time. `mstmm_chain!` implements it for all chains.
 ///
@@ -17,9 +18,54 @@ use crate::GeneratedChain;
 ///     }
 /// }
 /// ```
-pub trait Described: GeneratedChain {
+pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     /// The description.
     const DESCRIPTION: &'static Description;
+
+    /// Returns inputs with these values, in the order of [`Description::inputs`]; `None` if their number is another.
+    ///
+    /// The inputs of a chain are fields of several types, so they are copied. Quaternions of prescribed motions are
+    /// checked where the inputs are used.
+    #[must_use]
+    fn inputs_from_slice(values: &[Self::Scalar]) -> Option<Self::Inputs> {
+        if values.len() != Self::DESCRIPTION.inputs().len() {
+            return None;
+        }
+        let mut inputs = Self::Inputs::default();
+        Self::copy_inputs_(&mut inputs, Values::From(values.iter()));
+        Some(inputs)
+    }
+
+    /// Copies inputs to a slice, in the order of [`Description::inputs`]. Returns `None` and copies nothing if the length
+    /// of the slice is another.
+    #[must_use]
+    fn inputs_to_slice(inputs: &Self::Inputs, values: &mut [Self::Scalar]) -> Option<()> {
+        if values.len() != Self::DESCRIPTION.inputs().len() {
+            return None;
+        }
+        Self::copy_inputs_(&mut inputs.clone(), Values::To(values.iter_mut()));
+        Some(())
+    }
+
+    /// Returns the value of a parameter by its index in [`Description::parameters`]; `None` if there is no such
+    /// parameter.
+    fn parameter(&self, index: usize) -> Option<Self::Scalar> {
+        let at = Self::DESCRIPTION.parameters.entry(index, |_| 1)?;
+        self.parameter_(at.number).get(at.repetition).copied()
+    }
+
+    /// Sets a parameter by its index in [`Description::parameters`], as its setter does. Of a parameter with a value for
+    /// each repetition the other values stay.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`], as its setter. It names `index` if there is no such parameter. The previous value is
+    /// kept.
+    fn set_parameter(&mut self, index: usize, value: Self::Scalar) -> Result<(), Error> {
+        match Self::DESCRIPTION.parameters.entry(index, |_| 1) {
+            Some(at) => self.set_parameter_(at.number, (at.repetition, value)),
+            None => no_parameter(),
+        }
+    }
 
     /// Returns mass, centre of mass and inertia tensor of a body with the parameters as they are set, by its index in
     /// [`Description::bodies`]. `None` if there is no such body.
@@ -35,4 +81,30 @@ pub trait Described: GeneratedChain {
     fn change_inertia_(&self, inertia: &mut WrittenInertia<Self::Scalar>) {
         let _ = inertia;
     }
+
+    /// Copies the scalars of inputs in their order; for generated code.
+    #[doc(hidden)]
+    fn copy_inputs_(inputs: &mut Self::Inputs, values: Values<'_, Self::Scalar>) {
+        let _ = (inputs, values);
+    }
+
+    /// Returns the values of a row; for generated code.
+    #[doc(hidden)]
+    fn parameter_(&self, row: usize) -> &[Self::Scalar] {
+        let _ = row;
+        &[]
+    }
+
+    /// Sets a value of a row, with its repetition; for generated code.
+    #[doc(hidden)]
+    fn set_parameter_(&mut self, row: usize, value: (usize, Self::Scalar)) -> Result<(), Error> {
+        let _ = (row, value);
+        no_parameter()
+    }
+}
+
+/// Returns the error for a parameter that does not exist.
+pub(crate) const fn no_parameter() -> Result<(), Error> {
+    let reason = "must be less than the number of parameters";
+    Err(Error::InvalidParameter { name: "index", reason })
 }

@@ -165,9 +165,7 @@ impl Hinge {
 
     pub(super) fn coordinate(&self, entry: usize) -> Part {
         let part = self.part(0, entry);
-        let is_scalar_part = part.kind == QuantityKind::Quaternion && part.component == Some('w');
-        let rest = if is_scalar_part { 1.0 } else { 0.0 };
-        Part { start: self.start.get(entry).copied().unwrap_or(rest), ..part }
+        Part { start: self.start.get(entry).copied().unwrap_or(part.start), ..part }
     }
 
     pub(super) fn rate(&self, entry: usize) -> Part {
@@ -181,11 +179,11 @@ impl Hinge {
             if entry < dofs.count(side) {
                 let limits = self.limits.get(number).filter(|limits| !limits[0].is_nan());
                 let kind = dofs.kinds[side];
+                let component = dofs.components[side].chars().nth(entry);
                 return Part {
                     group: dofs.names[side],
-                    component: dofs.components[side].chars().nth(entry),
                     limits: limits.copied().filter(|_| kind != QuantityKind::Quaternion),
-                    ..Part::of(kind)
+                    ..Part::component(kind, component)
                 };
             }
             entry -= dofs.count(side);

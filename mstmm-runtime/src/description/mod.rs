@@ -41,17 +41,21 @@ mod part;
 mod quantity;
 mod rows;
 mod table;
+mod values;
 
 #[doc(hidden)]
 pub use body::WrittenInertia;
 pub use body::{Body, BodyInertia};
 pub use described::Described;
+pub(crate) use described::no_parameter;
 pub use hinge::{Dofs, Hinge, HingeShape};
 pub use items::{Item, Items};
 pub use name::Name;
 pub use part::QuantityKind;
 pub use quantity::{Quantities, Quantity};
 pub use rows::{Input, Parameter, Place};
+#[doc(hidden)]
+pub use values::Values;
 
 use table::Table;
 

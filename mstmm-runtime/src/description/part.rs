@@ -69,6 +69,13 @@ impl Part {
         Part { group: "", component: None, kind, unit: kind.unit(), start: 0.0, limits: None }
     }
 
+    /// Returns a component of a group, which starts in the zero position.
+    pub fn component(kind: QuantityKind, component: Option<char>) -> Self {
+        let is_scalar_part = kind == QuantityKind::Quaternion && component == Some('w');
+        let start = if is_scalar_part { 1.0 } else { 0.0 };
+        Part { component, start, ..Part::of(kind) }
+    }
+
     /// Returns the name of the entry in a row with this path.
     pub fn named(&self, path: &'static str, repetition: usize) -> Name {
         Name::new(path, repetition).with(self.group, self.component)

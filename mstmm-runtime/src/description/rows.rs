@@ -39,7 +39,7 @@ impl Input {
     }
 
     pub(super) fn part(&self, entry: usize) -> Part {
-        Part { component: self.components.chars().nth(entry), ..Part::of(self.kind) }
+        Part::component(self.kind, self.components.chars().nth(entry))
     }
 }
 

@@ -5,9 +5,13 @@
 
 use crate::description::{
     Description, Dimension, Dofs, HingeShape, Input, Parameter, QuantityKind, WrittenInertia,
+    no_parameter,
 };
 
 pub use crate::description::{HingeShape as Shape_, WrittenInertia as Inertia_};
+
+/// The result of setting a parameter.
+pub type Set_ = Result<(), crate::Error>;
 
 /// A value that is not known while the chain compiles, or a limit that does not exist.
 pub const NAN_: f64 = f64::NAN;
@@ -78,6 +82,14 @@ pub const fn tensor_(
 #[must_use]
 pub const fn parameter_(path: &'static str, unit: &'static str, default: f64) -> Parameter {
     Parameter::new(path, unit, default)
+}
+
+/// Returns the error for a parameter that does not exist.
+///
+/// # Errors
+/// Always.
+pub const fn no_parameter_() -> Set_ {
+    no_parameter()
 }
 
 /// Adds functions that each make inputs of one kind from their path and the names of their components.

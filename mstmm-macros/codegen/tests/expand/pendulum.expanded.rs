@@ -731,6 +731,29 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
             _ => {}
         }
     }
+    fn copy_inputs_(
+        inputs_: &mut PendulumInputs<T>,
+        mut values_: ::mstmm::generated::Values<'_, T>,
+    ) {
+        values_.once(&mut inputs_.joint);
+    }
+    fn parameter_(&self, row_: ::core::primitive::usize) -> &[T] {
+        let parameters_ = self.parameters();
+        match row_ {
+            0 => ::core::slice::from_ref(&parameters_.payload),
+            _ => &[],
+        }
+    }
+    fn set_parameter_(
+        &mut self,
+        row_: ::core::primitive::usize,
+        value_: (::core::primitive::usize, T),
+    ) -> ::mstmm::generated::description::Set_ {
+        match row_ {
+            0 => self.set_payload(value_.1),
+            _ => ::mstmm::generated::description::no_parameter_(),
+        }
+    }
 }
 const _: () = {
     #[allow(dead_code)]

@@ -4,6 +4,7 @@ mod elements;
 mod inertia;
 mod quantities;
 mod row;
+mod values;
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -35,6 +36,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let tables = tables.iter().map(|(method, rows)| table(method, rows));
     let answers = elements::answers(cx);
     let change = inertia::changes(cx);
+    let [copy, parameters] = [values::inputs(cx), values::parameters(cx)];
     quote! {
         #[allow(clippy::all)]
         impl<T: #mstmm::Scalar> #mstmm::Described for #name<T> {
@@ -45,6 +47,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 describe_(#chain, #text, #dimensions) #(#tables)* #repeated #answers
             };
             #change
+            #copy
+            #parameters
         }
     }
 }
