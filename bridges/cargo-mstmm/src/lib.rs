@@ -2,3 +2,6 @@
 
 pub mod commands;
 pub mod import;
+pub mod messages;
+pub mod source;
+pub mod unclosed;

@@ -1,6 +1,6 @@
 //! `cargo mstmm`: see the readme.
 
-use cargo_mstmm::commands::import;
+use cargo_mstmm::commands::{check, import, show};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -21,12 +21,21 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    Check(check::Check),
+    Show(show::Show),
     Import(import::Import),
 }
 
 fn main() -> ExitCode {
-    let Cargo::Mstmm(arguments) = Cargo::parse();
+    let mut words: Vec<_> = std::env::args_os().collect();
+    if words.get(1).is_none_or(|word| word != "mstmm") {
+        // Started without cargo.
+        words.insert(words.len().min(1), "mstmm".into());
+    }
+    let Cargo::Mstmm(arguments) = Cargo::parse_from(words);
     let result = match &arguments.command {
+        Command::Check(arguments) => check::run(arguments),
+        Command::Show(arguments) => show::run(arguments),
         Command::Import(arguments) => import::run(arguments),
     };
     match result {

@@ -52,32 +52,70 @@ pub struct Expansion {
     pub warnings: Vec<diag::Warning>,
 }
 
+/// The result of checking a text without expanding it.
+#[derive(Debug)]
+pub struct Checked {
+    /// The chains; none if the text has errors.
+    pub chains: Vec<CheckedChain>,
+    /// All errors of the text in its order, each on the token to edit.
+    pub errors: Option<syn::Error>,
+    /// All warnings of the text in its order, each on its token.
+    pub warnings: Vec<diag::Warning>,
+}
+
+/// A chain without errors.
+#[derive(Debug)]
+pub struct CheckedChain {
+    /// The chain.
+    pub chain: model::Chain,
+    /// Its visibility, constants and names for the user's crate.
+    pub passthrough: syntax::Passthrough,
+    /// The results of its numerical evaluation.
+    pub findings: examine::Findings,
+}
+
 /// Expands the text inside `mstmm_chain!`, phase by phase.
 ///
 /// `mstmm` is the path of the crate `mstmm` in generated code.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
-    let mut diagnostics = Diagnostics::default();
-    let definitions = syntax::parse(description, &mut diagnostics);
-    let chains = understand(&definitions, &mut diagnostics);
-    let mut findings = Vec::new();
-    if diagnostics.is_empty() {
-        let examine = |(chain, _): &Understood| examine::examine(chain, &mut diagnostics);
-        findings.extend(chains.iter().map(examine));
-    }
-    let warnings = diagnostics.warnings();
-    let errors = diagnostics.finish().err();
+    let (definitions, Checked { chains, errors, warnings }) = check_parsed(description);
     // The user's errors end here: the phases below cannot fail.
-    let expand_chain = |((chain, passthrough), findings): (&Understood, &examine::Findings)| {
+    let expand_chain = |CheckedChain { chain, passthrough, findings }: &CheckedChain| {
         let layout = model::Layout::of(chain);
         let compiled = compile::compile(chain, findings, &layout);
         emit::expand(chain, passthrough, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &errors {
-        None => chains.iter().zip(&findings).map(expand_chain).collect(),
+        None => chains.iter().map(expand_chain).collect(),
         Some(errors) => emit::error_types(&definitions, errors),
     };
     items.extend(warnings.iter().map(emit::warning));
     Expansion { items, errors, warnings }
+}
+
+/// Checks the text inside `mstmm_chain!`: finds the errors and warnings of [`expand`].
+pub fn check(description: TokenStream) -> Checked {
+    check_parsed(description).1
+}
+
+/// Parses, checks and numerically evaluates all chains of one macro call.
+fn check_parsed(description: TokenStream) -> (Vec<syntax::ChainSyntax>, Checked) {
+    let mut diagnostics = Diagnostics::default();
+    let definitions = syntax::parse(description, &mut diagnostics);
+    let understood = understand(&definitions, &mut diagnostics);
+    let mut chains = Vec::new();
+    if diagnostics.is_empty() {
+        chains.extend(understood.into_iter().map(|(chain, passthrough)| {
+            let findings = examine::examine(&chain, &mut diagnostics);
+            CheckedChain { chain, passthrough, findings }
+        }));
+    }
+    let warnings = diagnostics.warnings();
+    let errors = diagnostics.finish().err();
+    if errors.is_some() {
+        chains.clear();
+    }
+    (definitions, Checked { chains, errors, warnings })
 }
 
 /// A chain, and its visibility, constants and names for the user's crate.
@@ -103,14 +141,11 @@ pub fn read(description: TokenStream) -> syn::Result<Vec<(model::Chain, syntax::
 pub fn read_and_examine(
     description: TokenStream,
 ) -> syn::Result<Vec<(model::Chain, examine::Findings)>> {
-    let chains = read(description)?;
-    let mut diagnostics = Diagnostics::default();
-    let examined = chains.into_iter().map(|(chain, _)| {
-        let findings = examine::examine(&chain, &mut diagnostics);
-        (chain, findings)
-    });
-    let examined = examined.collect();
-    diagnostics.finish().map(|()| examined)
+    let Checked { chains, errors, .. } = check(description);
+    match errors {
+        Some(errors) => Err(errors),
+        None => Ok(chains.into_iter().map(|of| (of.chain, of.findings)).collect()),
+    }
 }
 
 /// Lowers all chains; chains with errors are missing, and so are the chains after them.

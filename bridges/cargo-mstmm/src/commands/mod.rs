@@ -1,6 +1,8 @@
 //! The subcommands, one file for each.
 
+pub mod check;
 pub mod import;
+pub mod show;
 
 use std::fmt;
 use std::path::Path;
@@ -8,6 +10,14 @@ use std::path::Path;
 /// The reason why a command failed, for standard error.
 #[derive(Debug)]
 pub struct Failure(pub String);
+
+impl Failure {
+    /// Makes the failure of a command that has reported this number of errors.
+    #[must_use]
+    pub fn of_errors(count: usize) -> Self {
+        Failure(if count == 1 { "1 error".to_owned() } else { format!("{count} errors") })
+    }
+}
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -18,12 +28,20 @@ impl fmt::Display for Failure {
 impl std::error::Error for Failure {}
 
 /// Reads a file.
-fn read(file: &Path) -> Result<String, Failure> {
+///
+/// # Errors
+///
+/// If it cannot be read or is not UTF-8.
+pub fn read(file: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(file).map_err(|error| Failure(format!("{}: {error}", file.display())))
 }
 
 /// Writes a result to a file or, without one, to standard output.
-fn write(text: &str, file: Option<&Path>) -> Result<(), Failure> {
+///
+/// # Errors
+///
+/// If it cannot be written.
+pub fn write(text: &str, file: Option<&Path>) -> Result<(), Failure> {
     use std::io::Write;
     let written = match file {
         Some(file) => {
@@ -32,5 +50,9 @@ fn write(text: &str, file: Option<&Path>) -> Result<(), Failure> {
         }
         None => std::io::stdout().write_all(text.as_bytes()),
     };
-    written.map_err(|error| Failure(format!("standard output: {error}")))
+    match written {
+        // The reader has seen enough, such as `head`.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        written => written.map_err(|error| Failure(format!("standard output: {error}"))),
+    }
 }

@@ -13,6 +13,19 @@ const SIZE: f64 = 400.0;
 const MARGIN: f64 = 36.0;
 const BLUE: &str = "#3a87c8";
 
+/// Returns the picture as an SVG file.
+pub fn drawing_file(drawing: &Drawing) -> String {
+    let lines = picture(drawing);
+    let lines: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
+    // In a page of HTML the element needs no namespace, and has the page's font.
+    let file = lines.join("\n").replacen(
+        "<svg ",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" ",
+        1,
+    );
+    file.trim_start().to_owned() + "\n"
+}
+
 /// Returns the lines of the picture as SVG, with the inertial axes and an arrow along gravity.
 pub fn picture(drawing: &Drawing) -> Vec<String> {
     let camera = Camera::of(drawing);

@@ -47,6 +47,7 @@ use crate::program::Argument;
 use crate::syntax::Passthrough;
 use arrays::ArrayLayouts;
 use body::BodyReports;
+pub use drawing::drawing_file;
 pub use error_types::error_types;
 use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};

@@ -1,0 +1,104 @@
+//! The text of a chain in a file, and what the compiler finds in it.
+
+use mstmm_codegen::{Checked, CheckedChain};
+use proc_macro2::{LexError, TokenStream, TokenTree};
+use std::io::Read;
+use std::path::Path;
+
+use crate::commands::{Failure, read};
+use crate::messages::{Message, rendered};
+use crate::unclosed::unclosed;
+
+/// A file with the text of one or more chains, with `mstmm_chain! { … }` around them or without.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The name of the file, for messages.
+    pub file: String,
+    /// Its text.
+    pub text: String,
+}
+
+impl Source {
+    /// Reads a file; `-` is standard input.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read or is not UTF-8.
+    pub fn read(file: &Path) -> Result<Self, Failure> {
+        if file == Path::new("-") {
+            let mut text = String::new();
+            return match std::io::stdin().read_to_string(&mut text) {
+                Ok(_) => Ok(Self::new("standard input", &text)),
+                Err(error) => Err(Failure(format!("standard input: {error}"))),
+            };
+        }
+        Ok(Self::new(&file.display().to_string(), &read(file)?))
+    }
+
+    /// Makes a source from a text.
+    #[must_use]
+    pub fn new(file: &str, text: &str) -> Self {
+        // Places count from the first character after the mark of the byte order.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        Source { file: file.to_owned(), text: text.to_owned() }
+    }
+
+    /// Finds the chains, or all errors, and the warnings.
+    #[must_use]
+    pub fn check(&self) -> (Vec<CheckedChain>, Vec<Message>) {
+        let tokens = match self.tokens() {
+            Ok(tokens) => tokens,
+            Err(message) => return (Vec::new(), vec![*message]),
+        };
+        let Checked { chains, errors, warnings } = mstmm_codegen::check(tokens);
+        let errors = errors.into_iter().flatten().map(|error| Message::of_error(self, &error));
+        let warnings = warnings.iter().map(|warning| Message::of_warning(self, warning));
+        let mut messages: Vec<Message> = errors.chain(warnings).collect();
+        messages.sort_by_key(|message| (message.line, message.column));
+        (chains, messages)
+    }
+
+    /// Returns the chains. Writes the messages to standard error.
+    ///
+    /// # Errors
+    ///
+    /// If the text has errors.
+    pub fn chains(&self) -> Result<Vec<CheckedChain>, Failure> {
+        let (chains, messages) = self.check();
+        eprint!("{}", rendered(self, &messages));
+        match Message::count_errors(&messages) {
+            0 => Ok(chains),
+            errors => Err(Failure::of_errors(errors)),
+        }
+    }
+
+    /// Returns the tokens inside `mstmm_chain! { … }`, or all tokens.
+    ///
+    /// # Errors
+    ///
+    /// If a bracket, a string or a comment is not closed, or a character has no meaning.
+    pub fn tokens(&self) -> Result<TokenStream, Box<Message>> {
+        self.text.parse().map(inside_macro).map_err(|error: LexError| {
+            Box::new(match unclosed(&self.text) {
+                Some((range, message)) => Message::at(self, range, &message),
+                None => {
+                    let text = "expected a name, a number or a sign of the language";
+                    Message::at(self, error.span().byte_range(), text)
+                }
+            })
+        })
+    }
+}
+
+/// Returns the content of `mstmm_chain! { … }`, or the tokens themselves.
+fn inside_macro(tokens: TokenStream) -> TokenStream {
+    let mut rest = tokens.clone().into_iter();
+    match [rest.next(), rest.next(), rest.next()] {
+        [
+            Some(TokenTree::Ident(name)),
+            Some(TokenTree::Punct(_)),
+            Some(TokenTree::Group(group)),
+        ] if name == "mstmm_chain" => group.stream(),
+        _ => tokens,
+    }
+}
