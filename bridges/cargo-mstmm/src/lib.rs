@@ -1,6 +1,7 @@
 //! The command `cargo mstmm`, as a library.
 
 pub mod commands;
+pub mod export;
 pub mod import;
 pub mod messages;
 pub mod source;

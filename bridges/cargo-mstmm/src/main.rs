@@ -1,6 +1,6 @@
 //! `cargo mstmm`: see the readme.
 
-use cargo_mstmm::commands::{check, import, show};
+use cargo_mstmm::commands::{check, export, import, show};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -24,6 +24,7 @@ enum Command {
     Check(check::Check),
     Show(show::Show),
     Import(import::Import),
+    Export(export::Export),
 }
 
 fn main() -> ExitCode {
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(arguments),
         Command::Show(arguments) => show::run(arguments),
         Command::Import(arguments) => import::run(arguments),
+        Command::Export(arguments) => export::run(arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

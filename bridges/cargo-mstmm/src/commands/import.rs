@@ -4,7 +4,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 use super::{Failure, read, write};
-use crate::import::{Options, SNAP, import};
+use crate::import::{Options, import};
 
 /// Write a URDF file as the text of a chain.
 #[derive(Args, Debug)]
@@ -18,7 +18,7 @@ pub struct Import {
     #[arg(long)]
     name: Option<String>,
     /// Angles this close to whole degrees, in rad, become whole degrees
-    #[arg(long, value_name = "RAD", default_value_t = SNAP)]
+    #[arg(long, value_name = "RAD", default_value = "1e-12")]
     snap: f64,
     /// Refuse the file instead of a warning
     #[arg(long)]

@@ -1,6 +1,7 @@
 //! The subcommands, one file for each.
 
 pub mod check;
+pub mod export;
 pub mod import;
 pub mod show;
 

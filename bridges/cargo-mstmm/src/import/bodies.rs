@@ -34,7 +34,7 @@ pub struct Tree {
     pub ground: Vec<usize>,
     /// The joints that move in the file, and are held at zero.
     pub held: Vec<usize>,
-    /// The links whose bodies have moments of inertia below zero by rounding, which are zero here.
+    /// The links whose bodies have only rounding errors as their tensor, which is zero here.
     pub rounded: Vec<usize>,
 }
 
@@ -87,7 +87,7 @@ impl Tree {
         for (body, masses) in tree.bodies.iter_mut().zip(&masses) {
             body.mass = Mass::sum(masses);
             check_mass(robot, body)?;
-            if body.mass.round_moments() {
+            if body.mass.drop_rounding_errors() {
                 tree.rounded.push(body.link);
             }
         }

@@ -37,6 +37,11 @@ impl Parameters {
         self.signs.iter().chain(&self.sizes)
     }
 
+    /// Returns the names, to be changed.
+    pub fn names_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        self.signs.iter_mut().chain(&mut self.sizes).map(|parameter| &mut parameter.name)
+    }
+
     /// Returns values as a number times up to two signs.
     fn signed(&self, values: &[f64]) -> Option<String> {
         let first = values.first()?;

@@ -101,7 +101,7 @@ fn rotation(angles: [Angle; 3]) -> Matrix3<f64> {
 ///
 /// The roll is that of A_z(yaw)ᵀ R. So close to a pitch of ±90°, where roll and yaw are determined only together,
 /// the error of one compensates the error of the other.
-fn angles_of(r: &Matrix3<f64>) -> [f64; 3] {
+pub fn angles_of(r: &Matrix3<f64>) -> [f64; 3] {
     let across = r[(0, 0)].hypot(r[(1, 0)]);
     let pitch = (-r[(2, 0)]).atan2(across);
     let yaw = if across < f64::EPSILON { 0.0 } else { r[(1, 0)].atan2(r[(0, 0)]) };

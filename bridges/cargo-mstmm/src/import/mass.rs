@@ -53,19 +53,17 @@ impl Mass {
         Mass { mass, com, tensor }
     }
 
-    /// Makes moments of inertia zero that are negative by less than a point mass has at a distance of 1 µm.
-    /// Returns whether there were any.
-    pub fn round_moments(&mut self) -> bool {
-        let negligible = self.mass * 1e-12;
-        let mut rounded = false;
-        for axis in 0..3 {
-            let moment = &mut self.tensor[(axis, axis)];
-            if *moment < 0.0 && *moment > -negligible {
-                *moment = 0.0;
-                rounded = true;
-            }
+    /// Makes a tensor zero that no body has, if all its entries are rounding errors: those of a point mass at a
+    /// distance of 1 µm. Returns whether it was one.
+    pub fn drop_rounding_errors(&mut self) -> bool {
+        let [xx, yy, zz] = [0, 1, 2].map(|axis| self.tensor[(axis, axis)]);
+        let moments = [[xx, yy, zz], [yy, zz, xx], [zz, xx, yy]];
+        let has_no_body = moments.iter().any(|[a, b, c]| *a < 0.0 || *a > b + c);
+        let is_rounding = self.tensor.amax() < self.mass * 1e-12;
+        if has_no_body && is_rounding {
+            self.tensor = Matrix3::zeros();
         }
-        rounded
+        has_no_body && is_rounding
     }
 
     /// Returns the inertia tensor about a point: J + m (d·d 1 − d dᵀ), Huygens and Steiner.

@@ -26,6 +26,9 @@ mod xml;
 
 use bodies::Tree;
 pub use error::{ImportError, Place, Result};
+pub(crate) use frame::angles_of;
+pub(crate) use names::Names;
+pub(crate) use numbers::{number, shortest};
 use robot::{Kind, Robot};
 use scope::Source;
 use text::Heading;
@@ -112,7 +115,7 @@ fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
     for link in tree.rounded.iter().map(|link| &robot.links[*link]) {
         let name = link.name.escape_debug();
         let warning = format!(
-            "link `{name}` has a moment of inertia that is negative by rounding, and zero here"
+            "link `{name}` has only rounding errors as its inertia tensor, which is zero here"
         );
         warnings.push((link.place, warning));
     }
@@ -124,7 +127,9 @@ fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
 
 fn chain_name(robot: &Robot, options: &Options) -> Result<String> {
     let Some(name) = &options.name else {
-        return Ok(names::Names::default().unique(&names::camel(&robot.name), "Robot"));
+        // In camel case twice: the name of the chain is the robot's name when it is exported.
+        let name = names::camel(&names::camel(&robot.name));
+        return Ok(names::Names::default().unique(&name, "Robot"));
     };
     let is_name = syn::parse_str::<proc_macro2::Ident>(name).is_ok() && name != "T" && name != "_";
     match is_name {

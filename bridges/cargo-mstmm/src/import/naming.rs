@@ -37,17 +37,21 @@ impl Naming {
     }
 
     fn add_part(&mut self, group: &Group, names: &mut Names) {
-        let part = self.types.unique(&group.type_name(), "Part");
+        let part = self.types.unique(&group.type_name, "Part");
         let suffix = format!("_{}", snake(&part));
-        let label = |label: &String| names.unique(label, &suffix);
+        let label = |label: &String| match group.is_shared {
+            true => names.unique(&format!("{label}{suffix}"), ""),
+            false => names.unique(label, &suffix),
+        };
         let instances: Vec<String> = group.labels.iter().map(label).collect();
+        let prefix = format!("{}_", instances[0]);
         for (position, inner) in group.names.iter().enumerate() {
-            let prefix = format!("{}_", instances[0]);
             let body = names.unique_with(&inner.body, "_link", &prefix);
             let hinge = names.unique_with(&inner.hinge, "_joint", &prefix);
             for branch in &group.branches {
                 self.table.bodies[branch[position]].clone_from(&body);
                 self.table.hinges[branch[position]].clone_from(&hinge);
+                self.table.fixed[branch[position]].clone_from(&inner.fixed);
             }
         }
         // So that no name outside equals one of another instance.
@@ -92,14 +96,11 @@ impl Naming {
             for &child in &body.children {
                 self.table.places[child] = names.unique(&places[child], "_joint");
             }
-            let inner = groups.iter().find_map(|group| {
-                let position = |branch: &Vec<usize>| branch.iter().position(|body| *body == index);
-                Some(&group.names[group.branches.iter().find_map(position)?].fixed)
-            });
-            let own = || {
-                body.fixed.iter().map(|(link, _)| snake(&source.robot.links[*link].name)).collect()
-            };
-            let fixed: Vec<String> = inner.cloned().unwrap_or_else(own);
+            if !groups.iter().any(|group| group.contains(index)) {
+                let links = body.fixed.iter().map(|(link, _)| &source.robot.links[*link].name);
+                self.table.fixed[index] = links.map(|name| snake(name)).collect();
+            }
+            let fixed = std::mem::take(&mut self.table.fixed[index]);
             self.table.fixed[index] =
                 fixed.iter().map(|name| names.unique(name, "_link")).collect();
         }

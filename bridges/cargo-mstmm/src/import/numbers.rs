@@ -10,6 +10,14 @@ pub fn number(value: f64) -> String {
     format!("{}", value + 0.0)
 }
 
+/// Returns the number with the shortest decimal that differs by two roundings at most: `87` for the product of
+/// `87*180/PI` and `PI/180`.
+pub fn shortest(value: f64) -> f64 {
+    let is_close = |other: &f64| (other - value).abs() <= 2.0 * f64::EPSILON * value.abs();
+    let decimals = (0..17).filter_map(|digits| format!("{value:.digits$e}").parse().ok());
+    decimals.into_iter().find(is_close).unwrap_or(value)
+}
+
 /// Breaks a line before an arrow or after a comma.
 pub fn wrapped(line: &str, indent: &str, at: &str) -> Vec<String> {
     const WIDTH: usize = 100;

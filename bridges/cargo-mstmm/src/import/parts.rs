@@ -2,10 +2,11 @@
 
 use super::expressions::{Expressions, Parameters};
 use super::frame::Frame;
-use super::names::{camel, common_words, snake};
+use super::names::{Names, common_words, snake};
 use super::scope::{NameTable, Scope, Source};
 
 /// Branches of one shape at one body or at the ground.
+#[derive(Default)]
 pub struct Group {
     /// The bodies of each branch, depth first.
     pub branches: Vec<Vec<usize>>,
@@ -14,6 +15,11 @@ pub struct Group {
     pub parameters: Parameters,
     /// The names of the bodies, without labels.
     pub names: Vec<InnerNames>,
+    /// A name for the type of the part.
+    pub type_name: String,
+    /// Whether other parts have one of the labels, such as `left`. Then instances have the name of the part too:
+    /// `left_arm`.
+    pub is_shared: bool,
 }
 
 /// The names of a body in a part.
@@ -44,13 +50,29 @@ pub fn find(source: Source) -> Vec<Group> {
         }
         groups.extend(found.into_iter().filter(|group| group.branches.len() > 1));
     }
+    name(&mut groups);
     groups
+}
+
+/// Names the types of all groups.
+fn name(groups: &mut [Group]) {
+    let mut types = Names::default();
+    for group in groups.iter_mut() {
+        group.type_name = types.unique(group.kind(), "");
+    }
+    let labels: Vec<String> = groups.iter().flat_map(|group| group.labels.clone()).collect();
+    for group in groups {
+        let count = |label: &String| labels.iter().filter(|other| *other == label).count();
+        group.is_shared = group.labels.iter().any(|label| count(label) > 1);
+        if group.is_shared {
+            group.shorten_names();
+        }
+    }
 }
 
 impl Group {
     fn of(branch: Vec<usize>) -> Self {
-        let parameters = Parameters::default();
-        Group { branches: vec![branch], labels: Vec::new(), parameters, names: Vec::new() }
+        Group { branches: vec![branch], ..Group::default() }
     }
 
     /// Adds a branch, if it has the same shape, its names differ by a label, and few numbers differ.
@@ -62,12 +84,12 @@ impl Group {
             self.branches.iter().cloned().chain([branch.to_vec()]).collect();
         let Some((names, labels)) = common_names(source, &branches) else { return false };
         let Some(parameters) = parameters(source, &branches, &names, &labels) else { return false };
-        *self = Group { branches, labels, parameters, names };
+        *self = Group { branches, labels, parameters, names, ..Group::default() };
         true
     }
 
-    /// Returns a name for the type of the part: what its names say about it, such as `Leg`.
-    pub fn type_name(&self) -> String {
+    /// Returns what kind of branch it is by its names, such as `Leg`.
+    fn kind(&self) -> &'static str {
         const KINDS: &[(&str, &[&str])] = &[
             ("Finger", &["finger", "thumb"]),
             ("Leg", &["leg", "haa", "hfe", "hip", "thigh", "knee", "calf", "shank", "ankle"]),
@@ -75,12 +97,25 @@ impl Group {
             ("Wheel", &["wheel", "caster"]),
         ];
         let names = || self.names.iter().flat_map(|names| [&names.body, &names.hinge]);
-        let is_said =
-            |words: &[&str]| names().any(|name| words.iter().any(|word| name.contains(word)));
-        match KINDS.iter().find(|(_, words)| is_said(words)) {
-            Some((kind, _)) => (*kind).to_owned(),
-            None => {
-                self.names.first().map_or_else(String::new, |names| camel(&names.body)) + "Part"
+        let has = |words: &[&str]| names().any(|name| words.iter().any(|word| name.contains(word)));
+        KINDS.iter().find(|(_, words)| has(words)).map_or("Branch", |(kind, _)| kind)
+    }
+
+    /// Removes the name of the part where all names begin with it: `left_arm.elbow`, not `left_arm.arm_elbow`.
+    fn shorten_names(&mut self) {
+        let word = format!("{}_", snake(&self.type_name));
+        let rest = |name: &String| -> Option<String> {
+            let rest = name.strip_prefix(&word)?;
+            rest.starts_with(|letter: char| letter.is_ascii_alphabetic()).then(|| rest.to_owned())
+        };
+        let shorter = self.names.iter().map(|names| {
+            let fixed = names.fixed.iter().map(rest).collect::<Option<_>>()?;
+            Some(InnerNames { body: rest(&names.body)?, hinge: rest(&names.hinge)?, fixed })
+        });
+        if let Some(names) = shorter.collect() {
+            self.names = names;
+            for name in self.parameters.names_mut() {
+                *name = rest(name).unwrap_or_else(|| name.clone());
             }
         }
     }

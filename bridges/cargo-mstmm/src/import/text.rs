@@ -10,7 +10,7 @@ use super::numbers::wrapped;
 use super::parts::{Group, find};
 use super::scope::{Scope, Source};
 
-/// What the text needs besides the robot.
+/// What the text needs in addition to the robot.
 pub struct Heading<'a> {
     /// The name of the chain.
     pub chain: &'a str,

@@ -337,13 +337,22 @@ pub enum About {
 }
 
 /// A frame fixed in another one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Frame {
     /// Its origin in m.
     pub position: [Value; 3],
     /// Rows of the rotation matrix that rotates components in this frame into components in the
     /// other.
     pub rotation: [[Value; 3]; 3],
+    /// Roll, pitch and yaw in rad as written, if the rotation is written so.
+    pub angles: Option<[Value; 3]>,
+}
+
+/// Frames are equal if their origins and rotations are.
+impl PartialEq for Frame {
+    fn eq(&self, other: &Self) -> bool {
+        self.position == other.position && self.rotation == other.rotation
+    }
 }
 
 impl Frame {
@@ -353,6 +362,7 @@ impl Frame {
         Frame {
             position: [(); 3].map(|()| entry(false)),
             rotation: [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row == column))),
+            angles: None,
         }
     }
 }

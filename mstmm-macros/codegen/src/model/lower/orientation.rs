@@ -119,11 +119,14 @@ impl Context<'_> {
             Some(syntax) => self.read_vector(syntax, LENGTH),
         };
         let turned = orientation.map(|orientation| self.rotation(orientation));
-        let rotation = match turned {
-            None => Frame::identity().rotation,
-            Some(turned) => turned?.rotation(),
+        let (rotation, angles) = match turned {
+            None => (Frame::identity().rotation, None),
+            Some(turned) => {
+                let turned = turned?;
+                (turned.rotation(), turned.angles())
+            }
         };
-        Some(Frame { position: position?, rotation })
+        Some(Frame { position: position?, rotation, angles })
     }
 }
 
@@ -132,6 +135,14 @@ impl Orientation {
     fn about_z(angle: Value) -> Self {
         let zero = || Value::number(0.0);
         Orientation::Rpy([zero(), zero(), angle])
+    }
+
+    /// Roll, pitch and yaw, if they are written.
+    fn angles(&self) -> Option<[Value; 3]> {
+        match self {
+            Orientation::Rpy(angles) => Some(angles.clone()),
+            Orientation::Quaternion(_) => None,
+        }
     }
 
     /// Rows of the rotation matrix.

@@ -1,0 +1,136 @@
+//! Chains as URDF files: the round trip gives the same text, and what URDF cannot have is refused by name.
+
+use cargo_mstmm::export::select;
+use cargo_mstmm::import::{Options, import};
+use cargo_mstmm::source::Source;
+use mstmm_codegen::model::Chain;
+use std::path::Path;
+
+/// Exports a chain of a text.
+fn export(text: &str, name: Option<&str>) -> Result<String, Vec<String>> {
+    let (checked, messages) = Source::new("text", text).check();
+    if !messages.is_empty() {
+        return Err(messages.iter().map(|message| message.message.clone()).collect());
+    }
+    let chains: Vec<&Chain> = checked.iter().map(|checked| &checked.chain).collect();
+    cargo_mstmm::export::export(select(&chains, name).map_err(|reason| vec![reason])?)
+}
+
+/// Returns the tokens of a text, without its comments.
+fn tokens(text: &str) -> String {
+    text.parse::<proc_macro2::TokenStream>().expect("tokens").to_string()
+}
+
+#[test]
+fn the_round_trip_gives_the_same_text() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        // Those files that become a chain.
+        if path.extension().is_none_or(|extension| extension != "chain") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        let urdf =
+            export(&text, None).unwrap_or_else(|reasons| panic!("{}: {reasons:?}", path.display()));
+        let options =
+            Options { floating: !urdf.contains("\"ground\""), strict: true, ..Options::default() };
+        let again = import(&urdf, &options)
+            .unwrap_or_else(|error| panic!("{}: {error}\n{urdf}", path.display()));
+        assert_eq!(
+            tokens(&text),
+            tokens(&again.text),
+            "{}\n{urdf}\n{}",
+            path.display(),
+            again.text
+        );
+        count += 1;
+    }
+    assert!(count > 6, "{count}");
+}
+
+const BODY: &str = "body Rod { mass = 2 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m; \
+                    inertia = diag(0.1, 0.8, 0.8) kg*m^2 about input; }";
+
+/// A chain of rods with a part and a repetition, an inertia about the input and a parameter.
+#[test]
+fn what_urdf_has_is_written_out() {
+    let text = format!(
+        "chain Rods {{ param reach = 0.25 m; {BODY}
+         body Tip {{ mass = 1 kg; com = [reach, 0, 0]; inertia = diag(1, 1, 1) kg*m^2 about com; }}
+         ground at [0, 0, 1] m -> pin(y) a -> Rod first -> repeat 2 {{ weld w -> Rod rod }} -> slider b -> Tip tip;
+         hinge a {{ limits = [-90, 90] deg; limit_stiffness = 20 N*m/deg; friction = 0.1 N*m; friction_speed = 1 rpm; }} }}"
+    );
+    let urdf = export(&text, None).expect("a file");
+    // About the centre of mass 0.8 − 2 · 0.5² = 0.3 remains.
+    let parts = [
+        "<robot name=\"Rods\">",
+        "<inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.30000000000000004\" iyz=\"0\" izz=\"0.30000000000000004\"/>",
+        "<limit lower=\"-1.5707963267948966\" upper=\"1.5707963267948966\" effort=\"20\" velocity=\"0\"/>",
+        "<dynamics damping=\"0\" friction=\"0.1\"/>",
+        "<origin xyz=\"0.25 0 0\"/>",
+        "<link name=\"rod2\">",
+    ];
+    for part in parts {
+        assert!(urdf.contains(part), "{part} is not in\n{urdf}");
+    }
+    let imported = import(&urdf, &Options::default()).expect("a chain");
+    assert!(imported.text.contains("mass = 6 kg;"), "{}", imported.text);
+}
+
+/// Returns the reasons for a chain of two rods with this hinge and these items after the route.
+fn reasons(route: &str, items: &str) -> Vec<String> {
+    let text = format!("chain Rods {{ {BODY} {route}; {items} }}");
+    export(&text, None).expect_err(&text)
+}
+
+#[test]
+fn what_urdf_does_not_have_is_refused_by_name() {
+    let route = "ground -> pin(y) a -> Rod first -> pin(y) b -> Rod second";
+    let cases = [
+        ("ground -> ball a -> Rod rod", "", "hinge `a`: URDF has no ball joints"),
+        ("ground -> universal a -> Rod rod", "", "hinge `a`: URDF has no universal joints"),
+        ("ground -> cylindrical a -> Rod rod", "", "hinge `a`: URDF has no cylindrical joints"),
+        ("ground -> screw(y, 1 mm/rev) a -> Rod rod", "", "hinge `a`: URDF has no screw joints"),
+        ("ground -> elastic a -> Rod rod", "", "hinge `a`: URDF has no elastic joints"),
+        (
+            "moving end -> pin(y) a -> Rod rod",
+            "",
+            "moving end `end`: URDF has no prescribed motions",
+        ),
+        (
+            "ground -> pin(y) a -> Rod u -> pin(y) b -> Rod p -> pin(y) c -> Rod w -> pin(y) d -> ground at [1, 0, 0] m",
+            "",
+            "hinge `d`: it closes a loop, and URDF has only trees",
+        ),
+        (route, "hinge a { stiffness = 1 N*m/rad; }", "hinge `a`: URDF has no stiffness"),
+        (route, "hinge b { armature = 1 kg*m^2; }", "hinge `b`: URDF has no armature"),
+        (route, "hinge b { torque = 1 N*m; }", "hinge `b`: URDF has no constant efforts"),
+        (route, "hinge b { motion = input; }", "hinge `b`: URDF has no prescribed motions"),
+        (route, "load push { on = first; force = input; }", "load `push`: URDF has no loads"),
+        (
+            route,
+            "spring cord { on = first.output; to = second.output; stiffness = 1 N/m; }",
+            "spring `cord`: URDF has no springs",
+        ),
+        (route, "gravity = input;", "`gravity = input`: URDF has no gravity"),
+    ];
+    for (route, items, expected) in cases {
+        let found = reasons(route, items);
+        assert!(found.iter().any(|reason| reason == expected), "{route} {items}: {found:?}");
+    }
+    let plane = "plane chain P { body R { mass = 1 kg; com = [1, 0] m; inertia = 1 kg*m^2 about com; } ground -> pin a -> R r; }";
+    assert_eq!(export(plane, None).unwrap_err(), ["chain `P` is not in space: URDF files are"]);
+    let constant = "chain C { body R { mass = MASS; com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; } ground -> pin a -> R r; }";
+    let found = export(constant, None).unwrap_err();
+    assert_eq!(found.len(), 1, "{found:?}");
+}
+
+#[test]
+fn one_of_several_chains_is_selected() {
+    let text = format!("chain A {{ {BODY} Rod a; }} chain B {{ {BODY} Rod b; }}");
+    assert_eq!(export(&text, None).unwrap_err(), ["select one of the chains `A`, `B` by `--name`"]);
+    assert!(export(&text, Some("B")).unwrap().contains("<link name=\"b\">"));
+    assert!(export(&text, Some("C")).is_err());
+}
