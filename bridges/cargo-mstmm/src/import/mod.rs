@@ -8,6 +8,7 @@
 //! without a name, which `urdf-rs` refuses.
 
 mod bodies;
+mod check;
 mod comments;
 mod error;
 mod expressions;
@@ -88,9 +89,9 @@ pub fn import(urdf: &str, options: &Options) -> Result<Imported> {
     let chain = chain_name(&robot, options)?;
     let source = Source { robot: &robot, tree: &tree, snap: options.snap };
     let heading = Heading { chain: &chain, file: &options.file, warnings: &warnings };
-    let text = text::write(source, &heading);
-    check(&text)?;
-    Ok(Imported { text, warnings })
+    let written = text::write(source, &heading);
+    check::check(&robot, &written)?;
+    Ok(Imported { text: written.text, warnings })
 }
 
 /// Returns what the text has otherwise than the file; with `strict` this is an error.
@@ -135,29 +136,5 @@ fn chain_name(robot: &Robot, options: &Options) -> Result<String> {
     match is_name {
         true => Ok(name.clone()),
         false => Err(ImportError::new(format!("`{name}` of `--name` is not a name for a chain"))),
-    }
-}
-
-/// Checks that the text is a chain: only the rules of the language know whether bodies can have their inertia and
-/// whether hinges move any.
-fn check(text: &str) -> Result<()> {
-    let refused = |line: usize, reason: String| {
-        let before: Vec<&str> = text.lines().take(line).collect();
-        let head = |line: &&&str| line.trim_start().starts_with("body ");
-        let body = before.iter().rev().find(head).map_or("", |line| line.trim_matches([' ', '{']));
-        let written = before.last().map_or("", |line| line.trim());
-        ImportError::new(format!("the chain is refused: {body}: {reason}: `{written}`"))
-    };
-    let tokens: proc_macro2::TokenStream =
-        text.parse().map_err(|error: proc_macro2::LexError| {
-            refused(error.span().start().line, error.to_string())
-        })?;
-    let inside = tokens.into_iter().find_map(|token| match token {
-        proc_macro2::TokenTree::Group(group) => Some(group.stream()),
-        _ => None,
-    });
-    match mstmm_codegen::read_and_examine(inside.unwrap_or_default()) {
-        Ok(_) => Ok(()),
-        Err(errors) => Err(refused(errors.span().start().line, errors.to_string())),
     }
 }

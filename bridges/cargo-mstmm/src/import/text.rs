@@ -20,11 +20,18 @@ pub struct Heading<'a> {
     pub warnings: &'a [String],
 }
 
+/// The text, and where it comes from.
+pub struct Written {
+    pub text: String,
+    /// The link of each body type, in the order of the text.
+    pub types: Vec<usize>,
+}
+
 /// Returns the text.
-pub fn write(source: Source, heading: &Heading) -> String {
+pub fn write(source: Source, heading: &Heading) -> Written {
     let groups = find(source);
     let naming = Naming::of(source, &groups);
-    let mut writer = Writer { source, groups: &groups, naming };
+    let mut writer = Writer { source, groups: &groups, naming, types: Vec::new() };
     let mut lines = comments(source, &groups, &writer.naming, heading);
     lines.push("mstmm_chain! {".to_owned());
     lines.push(format!("    /// The robot `{}`: {}.", heading.chain, size(source)));
@@ -33,7 +40,8 @@ pub fn write(source: Source, heading: &Heading) -> String {
     lines.push(String::new());
     lines.extend(writer.items().into_iter().map(|line| format!("        {line}")));
     lines.push("    }\n}".to_owned());
-    lines.iter().map(|line| line.trim_end().to_owned() + "\n").collect()
+    let text = lines.iter().map(|line| line.trim_end().to_owned() + "\n").collect();
+    Written { text, types: writer.types }
 }
 
 /// Describes the number of bodies and of degrees of freedom.
@@ -57,6 +65,8 @@ struct Writer<'a> {
     source: Source<'a>,
     groups: &'a [Group],
     naming: Naming,
+    /// The link of each body type so far.
+    types: Vec<usize>,
 }
 
 /// The texts of a scope.
@@ -138,6 +148,7 @@ impl Writer<'_> {
             let name = types.entry(fields.join("\n")).or_insert_with(|| {
                 let name = type_name(&mut self.naming.types, &self.naming.table.bodies[body], part);
                 texts.types.extend(block(&format!("body {name}"), &fields));
+                self.types.push(self.source.tree.bodies[body].link);
                 name
             });
             let step = format!("{name} {}", self.naming.table.bodies[body]);
