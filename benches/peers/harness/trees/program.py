@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ..paths import ROOT
-from .chain_text import Text
+from .imported import Text
 from .robots import Model
 from .urdf import Robot
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..paths import PACKAGES, ROOT
-from . import chain_text, urdf
-from .chain_text import Text
+from . import imported, urdf
+from .imported import Text
 from .urdf import Robot
 
 FILES = PACKAGES / "cmeel.prefix/share/example-robot-data/robots"
@@ -48,7 +48,7 @@ class Model:
 
     def text(self) -> Text:
         if not self.by_hand:
-            return chain_text.write(self.robot(), self.file)
+            return imported.run(self.path, self.floating, str(urdf.RIGHT_ANGLE))
         text = (MODELS / self.by_hand).read_text()
         return Text(text, self.chain, [hinge for hinge, _ in self.joints])
 
