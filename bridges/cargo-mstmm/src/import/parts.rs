@@ -96,9 +96,11 @@ impl Group {
             ("Arm", &["arm", "shoulder", "elbow", "wrist"]),
             ("Wheel", &["wheel", "caster"]),
         ];
-        let names = || self.names.iter().flat_map(|names| [&names.body, &names.hinge]);
-        let has = |words: &[&str]| names().any(|name| words.iter().any(|word| name.contains(word)));
-        KINDS.iter().find(|(_, words)| has(words)).map_or("Branch", |(kind, _)| kind)
+        let is_kind = |name: &str, words: &[&str]| words.iter().any(|word| name.contains(word));
+        let kind = |name: &String| KINDS.iter().find(|(_, words)| is_kind(name, words));
+        // The names close to the root say most: an arm may have fingers.
+        let mut names = self.names.iter().flat_map(|names| [&names.hinge, &names.body]);
+        names.find_map(kind).map_or("Branch", |(kind, _)| kind)
     }
 
     /// Removes the name of the part where all names begin with it: `left_arm.elbow`, not `left_arm.arm_elbow`.
@@ -143,13 +145,23 @@ fn has_shape_of(source: Source, first: &[usize], second: &[usize]) -> bool {
     first.len() == second.len() && first.iter().zip(second).all(is_same)
 }
 
+/// Returns a label, in words if it is a letter: `left` for `l`. Files use both for one branch.
+fn side(label: &str) -> &str {
+    match label {
+        "l" => "left",
+        "r" => "right",
+        other => other,
+    }
+}
+
 /// Returns the names in the part, and the label of each branch.
 fn common_names(source: Source, branches: &[Vec<usize>]) -> Option<(Vec<InnerNames>, Vec<String>)> {
     let mut all: Option<Vec<String>> = None;
     let mut inner = |names: Vec<String>| {
         let (common, labels) = common_words(&names)?;
         let known = all.get_or_insert_with(|| labels.clone());
-        (*known == labels).then_some(common)
+        let is_same = |(known, label): (&String, &String)| side(known) == side(label);
+        known.iter().zip(&labels).all(is_same).then_some(common)
     };
     let each = |position: usize, name: &dyn Fn(usize) -> Option<String>| {
         branches.iter().map(|branch| name(branch[position])).collect::<Option<Vec<String>>>()
