@@ -323,3 +323,31 @@ fn at_rest_steps_grow() {
     assert!(integrator.statistics().accepted < 50, "{:?}", integrator.statistics());
     assert_eq!(state.time(), 1e6);
 }
+
+/// Torques −c θ̇ with c = 10⁴ /s leave a slow motion that any step follows, so stability limits the step to 3.3/c.
+#[test]
+fn strong_damping_is_reported_as_stiff() {
+    let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(1.0, 0.0));
+    let mut integrator = Dopri5::new(1e-6, 1e-6);
+    integrator.advance_to(&chain, &mut state, 0.1, |_, state| -1e4 * state.v[0]).unwrap();
+    assert!(integrator.is_stiff() && integrator.clone().is_stiff());
+    assert!(integrator.statistics().accepted > 250);
+    // Without damping the steps are free of the limit, and the report ends.
+    integrator.advance_to(&chain, &mut state, 5.0, |_, _| 0.0).unwrap();
+    assert!(!integrator.is_stiff());
+}
+
+#[test]
+fn smooth_motions_are_not_stiff() {
+    for tolerance in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(0.0, 1.0));
+        let mut integrator = Dopri5::new(tolerance, tolerance);
+        let (top, mut spinning) = (Top::<f64>::new(), Top::start());
+        let mut other = Dopri5::new(tolerance, tolerance);
+        for _ in 0..60 {
+            integrator.step(&chain, &mut state, |t, _| swing(t)).unwrap();
+            other.step(&top, &mut spinning, |_, _| ()).unwrap();
+            assert!(!integrator.is_stiff() && !other.is_stiff(), "{tolerance}");
+        }
+    }
+}

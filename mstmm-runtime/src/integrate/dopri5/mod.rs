@@ -1,5 +1,6 @@
 //! The method of Dormand and Prince of order five, with an error estimate of order four.
 
+mod stiffness;
 mod trial;
 
 use super::Real;
@@ -9,6 +10,7 @@ use super::held::held_methods;
 use super::step_control::StepControl;
 use super::tableau::{B, D};
 use crate::{Chain, ChainState, Error, Scalar};
+use stiffness::Detector;
 use trial::Failure;
 
 /// The work of an integrator with step size control.
@@ -45,6 +47,7 @@ pub struct Dopri5<C: Chain> {
     absolute: Real<C>,
     control: StepControl<Real<C>>,
     statistics: Statistics,
+    detector: Detector,
     /// The last accepted step and the present attempt, alternately.
     steps: [Stages<C::State>; 2],
     /// Whether the second of both is the present attempt.
@@ -73,6 +76,7 @@ impl<C: Chain> Clone for Dopri5<C> {
             absolute: self.absolute,
             control: self.control,
             statistics: self.statistics,
+            detector: self.detector,
             steps: self.steps.clone(),
             second: self.second,
             scratch: self.scratch.clone(),
@@ -106,6 +110,7 @@ impl<C: Chain> Dopri5<C> {
             absolute,
             control: StepControl::new(),
             statistics: Statistics::default(),
+            detector: Detector::default(),
             steps: core::array::from_fn(|_| Stages {
                 start: C::State::default(),
                 rates: core::array::from_fn(state),
@@ -141,6 +146,20 @@ impl<C: Chain> Dopri5<C> {
     /// Returns the work done since the integrator was made.
     pub fn statistics(&self) -> Statistics {
         self.statistics
+    }
+
+    /// Returns whether stability and not the tolerance limits the present steps: the problem is stiff.
+    ///
+    /// The answer is yes after 15 accepted steps h with h·|λ| > 3.25, and no again after 6 consecutive steps below, where
+    /// |λ| estimates the fastest decay from the last two stages. Undamped oscillations, which limit the step to about
+    /// h·|λ| = 1, are not reported.
+    ///
+    /// A stiff problem is integrated correctly, but by many short steps. Use
+    /// [`LinearlyImplicitEuler`](crate::LinearlyImplicitEuler) if stiff springs, dampers or limits in hinges are the
+    /// reason. Use an implicit method with error control, such as BDF of the crate `diffsol`, for small errors.
+    #[doc(alias("stiffness"))]
+    pub fn is_stiff(&self) -> bool {
+        self.detector.is_stiff()
     }
 
     /// Integrates `state` over one accepted step, forward in time.

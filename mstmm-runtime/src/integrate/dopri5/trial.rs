@@ -1,5 +1,6 @@
 //! One step: its start, attempts of different sizes, and the stages of each attempt.
 
+use super::stiffness::is_limited;
 use super::{Dopri5, Stages, Statistics};
 use crate::integrate::Real;
 use crate::integrate::ask::ask;
@@ -125,21 +126,22 @@ impl<C: Chain> Dopri5<C> {
             }
             let size = (end - start).abs();
             let outcome = match self.attempt(chain, inputs, end) {
-                Ok(error) => Ok(error),
+                Ok(outcome) => Ok(outcome),
                 Err(Failure::Chain(error)) => Err(error),
                 Err(failure) => return Err(failure),
             };
-            if let Ok(error) = outcome
+            if let Ok((error, limited)) = outcome
                 && error <= Real::<C>::constant(1.0)
             {
                 self.control.accept(size, error);
                 self.statistics.accepted = self.statistics.accepted.saturating_add(1);
+                self.detector.count(limited);
                 self.accepted = Some(end);
                 self.second = !self.second;
                 return Ok(());
             }
             self.statistics.rejected = self.statistics.rejected.saturating_add(1);
-            let error = outcome.unwrap_or(Real::<C>::constant(f64::INFINITY));
+            let error = outcome.map_or(Real::<C>::constant(f64::INFINITY), |(error, _)| error);
             self.control.reject(start, size, error).map_err(|too_small| match outcome {
                 Ok(_) | Err(Error::NotFinite) => too_small,
                 Err(other) => other,
@@ -148,13 +150,13 @@ impl<C: Chain> Dopri5<C> {
     }
 
     /// Attempts one step to the time `end`, with the result in `self.end`, and returns its error in units of the
-    /// tolerance.
+    /// tolerance and whether it is at the limit of stability.
     fn attempt<X: From<Error>>(
         &mut self,
         chain: &C,
         inputs: &mut impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, X>,
         end: Real<C>,
-    ) -> Result<Real<C>, Failure<X>> {
+    ) -> Result<(Real<C>, bool), Failure<X>> {
         let Self { steps: [a, b], scratch: k2, end: state, statistics: count, .. } = self;
         let Stages { start, rates: [k1, k3, k4, k5, k6, k7] } = if self.second { b } else { a };
         let step = C::Scalar::splat(end - start.time().max_lane());
@@ -182,10 +184,11 @@ impl<C: Chain> Dopri5<C> {
         if !is_finite(state) {
             return Err(Error::NotFinite.into());
         }
+        let limited = is_limited([k1, k2, k3, k4, k5, k6, k7]);
         weighted_sum(k2, E.map(|e| step * C::Scalar::constant(e)), [k1, k3, k4, k5, k6, k7]);
         let (relative, absolute) =
             (C::Scalar::splat(self.relative), C::Scalar::splat(self.absolute));
-        Ok(norm(k2, (start, state), relative, absolute))
+        Ok((norm(k2, (start, state), relative, absolute), limited))
     }
 }
 
