@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::Dimension;
 use super::items::Element;
+use super::{Dimension, Shape};
 use crate::Scalar;
 
 /// A body.
@@ -12,6 +12,7 @@ pub struct Body {
     path: &'static str,
     type_name: &'static str,
     inertia: WrittenInertia,
+    shapes: &'static [Shape],
 }
 
 impl Body {
@@ -21,8 +22,24 @@ impl Body {
         self.type_name
     }
 
+    /// Returns its shapes for pictures, in the order of the description; empty if it has none.
+    #[must_use]
+    pub fn shapes(&self) -> &'static [Shape] {
+        self.shapes
+    }
+
     pub(super) fn inertia(&self) -> WrittenInertia {
         self.inertia
+    }
+}
+
+#[doc(hidden)]
+impl Body {
+    /// Sets its shapes.
+    #[must_use]
+    pub const fn shaped(mut self, shapes: &'static [Shape]) -> Self {
+        self.shapes = shapes;
+        self
     }
 }
 
@@ -60,7 +77,7 @@ impl WrittenInertia {
     /// Makes a body with this inertia.
     #[must_use]
     pub const fn named(self, path: &'static str, type_name: &'static str) -> Body {
-        Body { path, type_name, inertia: self }
+        Body { path, type_name, inertia: self, shapes: &[] }
     }
 
     /// Returns the inertia in a scalar type, for a row and a repetition.

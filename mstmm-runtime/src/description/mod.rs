@@ -40,6 +40,7 @@ mod name;
 mod part;
 mod quantity;
 mod rows;
+mod shape;
 mod table;
 mod values;
 
@@ -54,6 +55,7 @@ pub use name::Name;
 pub use part::QuantityKind;
 pub use quantity::{Quantities, Quantity};
 pub use rows::{Input, Parameter, Place};
+pub use shape::{Geometry, Shape};
 #[doc(hidden)]
 pub use values::Values;
 

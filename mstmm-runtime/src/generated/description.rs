@@ -4,8 +4,8 @@
 //! user's constants.
 
 use crate::description::{
-    Description, Dimension, Dofs, HingeShape, Input, Parameter, QuantityKind, WrittenInertia,
-    no_parameter,
+    Description, Dimension, Dofs, Geometry, HingeShape, Input, Parameter, QuantityKind, Shape,
+    WrittenInertia, no_parameter,
 };
 
 pub use crate::description::{HingeShape as Shape_, WrittenInertia as Inertia_};
@@ -76,6 +76,42 @@ pub const fn tensor_(
     about_com: bool,
 ) -> WrittenInertia {
     WrittenInertia::new(mass, com, tensor, about_com)
+}
+
+/// Makes a shape from its geometry, and its position and its quaternion in the body frame.
+#[must_use]
+pub const fn visual_(geometry: Geometry, position: [f64; 3], orientation: [f64; 4]) -> Shape {
+    Shape { geometry, position, orientation }
+}
+
+/// Makes a box from the lengths of its edges.
+#[must_use]
+pub const fn box_(edges: [f64; 3]) -> Geometry {
+    Geometry::Box(edges)
+}
+
+/// Makes a cylinder.
+#[must_use]
+pub const fn cylinder_(radius: f64, length: f64) -> Geometry {
+    Geometry::Cylinder { radius, length }
+}
+
+/// Makes a capsule.
+#[must_use]
+pub const fn capsule_(radius: f64, length: f64) -> Geometry {
+    Geometry::Capsule { radius, length }
+}
+
+/// Makes a sphere.
+#[must_use]
+pub const fn sphere_(radius: f64) -> Geometry {
+    Geometry::Sphere { radius }
+}
+
+/// Makes a mesh from the path of its file.
+#[must_use]
+pub const fn mesh_(file: &'static str) -> Geometry {
+    Geometry::Mesh(file)
 }
 
 /// Makes a parameter from its path, its unit and its default.
