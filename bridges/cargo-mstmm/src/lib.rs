@@ -4,5 +4,6 @@ pub mod commands;
 pub mod export;
 pub mod import;
 pub mod messages;
+pub mod new;
 pub mod source;
 pub mod unclosed;

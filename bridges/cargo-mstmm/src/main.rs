@@ -1,6 +1,6 @@
 //! `cargo mstmm`: see the readme.
 
-use cargo_mstmm::commands::{check, export, import, show};
+use cargo_mstmm::commands::{check, export, import, new, show};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -21,6 +21,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    New(new::New),
     Check(check::Check),
     Show(show::Show),
     Import(import::Import),
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
     }
     let Cargo::Mstmm(arguments) = Cargo::parse_from(words);
     let result = match &arguments.command {
+        Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Show(arguments) => show::run(arguments),
         Command::Import(arguments) => import::run(arguments),

@@ -1,7 +1,7 @@
 //! The text of a chain in a file, and what the compiler finds in it.
 
 use mstmm_codegen::{Checked, CheckedChain};
-use proc_macro2::{LexError, TokenStream, TokenTree};
+use proc_macro2::{Group, LexError, TokenStream, TokenTree};
 use std::io::Read;
 use std::path::Path;
 
@@ -78,7 +78,24 @@ impl Source {
     ///
     /// If a bracket, a string or a comment is not closed, or a character has no meaning.
     pub fn tokens(&self) -> Result<TokenStream, Box<Message>> {
-        self.text.parse().map(inside_macro).map_err(|error: LexError| {
+        let tokens = self.all_tokens()?;
+        Ok(macro_group(&tokens).map_or(tokens, |group| group.stream()))
+    }
+
+    /// Returns the text inside `mstmm_chain! { … }`, or the whole text.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Source::tokens`].
+    pub fn inside(&self) -> Result<&str, Box<Message>> {
+        let group = macro_group(&self.all_tokens()?);
+        let range = group
+            .map(|group| group.span_open().byte_range().end..group.span_close().byte_range().start);
+        Ok(range.and_then(|range| self.text.get(range)).unwrap_or(&self.text))
+    }
+
+    fn all_tokens(&self) -> Result<TokenStream, Box<Message>> {
+        self.text.parse().map_err(|error: LexError| {
             Box::new(match unclosed(&self.text) {
                 Some((range, message)) => Message::at(self, range, &message),
                 None => {
@@ -90,15 +107,15 @@ impl Source {
     }
 }
 
-/// Returns the content of `mstmm_chain! { … }`, or the tokens themselves.
-fn inside_macro(tokens: TokenStream) -> TokenStream {
+/// Returns the brackets of `mstmm_chain! { … }`; none if the tokens begin otherwise.
+fn macro_group(tokens: &TokenStream) -> Option<Group> {
     let mut rest = tokens.clone().into_iter();
     match [rest.next(), rest.next(), rest.next()] {
         [
             Some(TokenTree::Ident(name)),
             Some(TokenTree::Punct(_)),
             Some(TokenTree::Group(group)),
-        ] if name == "mstmm_chain" => group.stream(),
-        _ => tokens,
+        ] if name == "mstmm_chain" => Some(group),
+        _ => None,
     }
 }

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod export;
 pub mod import;
+pub mod new;
 pub mod show;
 
 use std::fmt;

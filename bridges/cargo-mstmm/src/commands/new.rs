@@ -1,0 +1,130 @@
+//! `cargo mstmm new`
+
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::{Failure, read};
+use crate::import::{Options, import};
+use crate::new::{Dependency, FIRST, program};
+use crate::source::Source;
+
+/// Make a project that simulates a chain
+///
+/// The project is a package with a program, which prints a motion and the forces in the chain, and a test. `cargo new`
+/// makes the package, so its rules for names, version control and workspaces hold. Without `--chain` and `--urdf` the
+/// chain is a crane.
+#[derive(Args, Debug)]
+#[command(disable_version_flag = true)]
+pub struct New {
+    /// The folder of the project, which must not exist
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// The name of the package, otherwise that of the folder
+    #[arg(long)]
+    name: Option<String>,
+    /// A file with the chain; `-` is standard input
+    #[arg(long, value_name = "FILE", conflicts_with = "urdf")]
+    chain: Option<PathBuf>,
+    /// A URDF file with the chain, imported as by `cargo mstmm import`
+    #[arg(long, value_name = "FILE")]
+    urdf: Option<PathBuf>,
+    /// The root link of the URDF file is a free body instead of the ground
+    #[arg(long, requires = "urdf")]
+    floating: bool,
+    /// Depend on the crate mstmm in this folder; without `--path`, `--git` and `--version` on the checkout that this
+    /// command was built from
+    #[arg(long, value_name = "FOLDER")]
+    path: Option<PathBuf>,
+    /// Depend on the crate mstmm in this git repository
+    #[arg(long, value_name = "URL", conflicts_with_all = ["path", "version"])]
+    git: Option<String>,
+    /// Depend on this version of the crate mstmm in the registry
+    #[arg(long, value_name = "VERSION", conflicts_with = "path")]
+    version: Option<String>,
+    /// The version control of `cargo new`: git, hg, pijul, fossil or none
+    #[arg(long, value_name = "VCS")]
+    vcs: Option<String>,
+}
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// If the chain has errors, `cargo new` refuses the package, or a file cannot be written.
+pub fn run(arguments: &New) -> Result<(), Failure> {
+    let (source, origin) = chain(arguments)?;
+    let chains = source.chains()?;
+    let [chain] = &chains[..] else {
+        let count = chains.len();
+        let file = &source.file;
+        return Err(Failure(format!("{file}: a project has one chain, and the file has {count}")));
+    };
+    let text = source.inside().map_err(|message| Failure(message.message))?;
+    let program = program(chain, text, &origin);
+    let dependency = dependency(arguments)?;
+    cargo_new(arguments)?;
+    let folder = &arguments.folder;
+    let manifest = folder.join("Cargo.toml");
+    let written = format!("{}mstmm = {}\n", read(&manifest)?, dependency.requirement());
+    super::write(&written, Some(&manifest))?;
+    super::write(&program, Some(&folder.join("src/main.rs")))?;
+    eprintln!("note: the package depends on {dependency}");
+    eprintln!("note: to run the program: cd {} && cargo run", folder.display());
+    Ok(())
+}
+
+/// Returns the source of the chain, and the name of its file for the program.
+fn chain(arguments: &New) -> Result<(Source, String), Failure> {
+    let name = |file: &Path| file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    if let Some(file) = &arguments.chain {
+        return Ok((Source::read(file)?, name(file)));
+    }
+    let Some(file) = &arguments.urdf else {
+        return Ok((Source::new("crane.chain", FIRST), String::new()));
+    };
+    let options = Options { floating: arguments.floating, file: name(file), ..Options::default() };
+    let shown = file.display().to_string();
+    let imported = import(&read(file)?, &options).map_err(|error| {
+        let separator = if error.place.is_some() { "" } else { " " };
+        Failure(format!("{shown}:{separator}{error}"))
+    })?;
+    for warning in &imported.warnings {
+        eprintln!("warning: {shown}: {warning}");
+    }
+    Ok((Source::new(&shown, &imported.text), name(file)))
+}
+
+/// Returns the requirement that the arguments ask for.
+fn dependency(arguments: &New) -> Result<Dependency, Failure> {
+    if let Some(path) = &arguments.path {
+        return Dependency::in_folder(path);
+    }
+    if let Some(url) = &arguments.git {
+        return Ok(Dependency::Git(url.clone()));
+    }
+    Ok(match &arguments.version {
+        Some(version) => Dependency::Version(version.clone()),
+        None => Dependency::default(),
+    })
+}
+
+/// Makes the package by `cargo new`, whose messages are those of this command.
+fn cargo_new(arguments: &New) -> Result<(), Failure> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(&cargo);
+    command.args(["new", "--quiet", "--bin", "--edition", "2024"]);
+    if let Some(name) = &arguments.name {
+        command.arg("--name").arg(name);
+    }
+    if let Some(vcs) = &arguments.vcs {
+        command.arg("--vcs").arg(vcs);
+    }
+    let status = command.arg("--").arg(&arguments.folder).status();
+    let failed = |reason: String| Failure(format!("`cargo new` {reason}"));
+    match status {
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(failed("has refused the package".into())),
+        Err(error) => Err(failed(format!("does not start: {error}"))),
+    }
+}
