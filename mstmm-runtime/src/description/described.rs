@@ -1,8 +1,9 @@
 //! The trait of chains that describe themselves.
 
+use super::results::{Arrays, spring, spring_len};
 use super::values::Values;
-use super::{BodyInertia, Description, WrittenInertia};
-use crate::{Error, GeneratedChain};
+use super::{BodyInertia, Description, Dimension, PointResult, WrittenInertia};
+use crate::{Energy, Error, GeneratedChain, SpringResult};
 
 /// A chain that describes itself at run time. `mstmm_chain!` implements it for all chains.
 ///
@@ -75,6 +76,55 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
         self.change_inertia_(&mut written);
         Some(written.about_com(Self::DESCRIPTION.dimension))
     }
+
+    /// Returns the accelerations in a workspace, in the order of [`Description::accelerations`].
+    #[must_use]
+    fn accelerations(at: &Self::Workspace) -> &[Self::Scalar] {
+        Self::arrays_(at).accelerations
+    }
+
+    /// Returns the efforts in a workspace, in the order of [`Description::efforts`].
+    #[must_use]
+    fn efforts(at: &Self::Workspace) -> &[Self::Scalar] {
+        Self::arrays_(at).efforts
+    }
+
+    /// Returns the energies in a workspace; `None` if the chain's setting `results` omits them.
+    #[must_use]
+    fn energies(at: &Self::Workspace) -> Option<Energy<Self::Scalar>> {
+        Self::arrays_(at).energy
+    }
+
+    /// Returns the results at a connection point by its index in [`Description::points`]; `None` if there is no such
+    /// point.
+    #[must_use]
+    fn point(at: &Self::Workspace, index: usize) -> Option<PointResult<Self::Scalar>> {
+        (index < Self::DESCRIPTION.points().len()).then(|| Self::point_(at, index))
+    }
+
+    /// Returns the results of a spring by its index in [`Description::springs`], its force with three components; `None`
+    /// if there is no such spring or if the chain's setting `results` omits `z`.
+    #[must_use]
+    fn spring(
+        at: &Self::Workspace,
+        index: usize,
+    ) -> Option<SpringResult<Self::Scalar, [Self::Scalar; 3]>> {
+        let count: fn(&&'static str) -> usize = match Self::DESCRIPTION.dimension {
+            Dimension::Space => |_| spring_len(Dimension::Space),
+            Dimension::Plane => |_| spring_len(Dimension::Plane),
+            Dimension::Line => |_| spring_len(Dimension::Line),
+        };
+        let range = Self::DESCRIPTION.springs.range(index, count)?;
+        spring(Self::arrays_(at).springs.get(range)?)
+    }
+
+    /// Returns the arrays of a workspace; for generated code.
+    #[doc(hidden)]
+    fn arrays_(at: &Self::Workspace) -> Arrays<'_, Self::Scalar>;
+
+    /// Returns the results at a connection point; for generated code.
+    #[doc(hidden)]
+    fn point_(at: &Self::Workspace, index: usize) -> PointResult<Self::Scalar>;
 
     /// Sets the values that parameters change; for generated code.
     #[doc(hidden)]

@@ -163,6 +163,12 @@ impl Hinge {
         self.shape.dofs.iter().map(|dofs| dofs.count(side)).sum()
     }
 
+    /// Returns the number of its efforts, also if its motion is prescribed.
+    #[must_use]
+    pub fn effort_count(&self) -> usize {
+        self.shape.dofs.iter().map(|dofs| dofs.count(1)).sum()
+    }
+
     pub(super) fn coordinate(&self, entry: usize) -> Part {
         let part = self.part(0, entry);
         Part { start: self.start.get(entry).copied().unwrap_or(part.start), ..part }
@@ -171,6 +177,39 @@ impl Hinge {
     pub(super) fn rate(&self, entry: usize) -> Part {
         let start = self.start_rate.get(entry).copied().unwrap_or(0.0);
         Part { start, limits: None, ..self.part(1, entry) }
+    }
+
+    pub(super) fn acceleration(&self, entry: usize) -> Part {
+        let kinds = [QuantityKind::Acceleration, QuantityKind::AngularAcceleration];
+        let groups = ["acceleration", "acceleration.linear", "acceleration.angular"];
+        self.along(entry, kinds, groups)
+    }
+
+    pub(super) fn effort(&self, entry: usize) -> Part {
+        let kinds = [QuantityKind::Force, QuantityKind::Torque];
+        self.along(entry, kinds, ["effort", "effort.force", "effort.torque"])
+    }
+
+    /// Returns a quantity along a rate, from the kinds of translations and rotations, and from the accessors for a hinge
+    /// with only one of them, for translations and for rotations.
+    fn along(&self, entry: usize, kinds: [QuantityKind; 2], groups: [&'static str; 3]) -> Part {
+        let [only, translations, rotations] = groups;
+        let mut first = 0;
+        for dofs in self.shape.dofs {
+            if let Some(component) = entry.checked_sub(first).filter(|it| *it < dofs.count(1)) {
+                let [translation, rotation] = kinds;
+                let kind = if dofs.is_rotation() { rotation } else { translation };
+                let group = match (self.shape.dofs, dofs.is_rotation()) {
+                    ([_], _) => only,
+                    (_, false) => translations,
+                    (_, true) => rotations,
+                };
+                let component = dofs.components[1].chars().nth(component);
+                return Part { group, component, start: f64::NAN, ..Part::of(kind) };
+            }
+            first += dofs.count(1);
+        }
+        Part::of(QuantityKind::Parameter)
     }
 
     /// Returns an entry of the coordinates (side 0) or the rates (side 1).

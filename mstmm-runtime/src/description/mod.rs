@@ -15,7 +15,9 @@
 //! | coordinate in an instance `fl` of a part | `fl.knee.angle` | `state.fl_knee().angle()` |
 //! | quaternion of a ball | `hook.orientation.w`, then `x`, `y`, `z` | `state.hook().orientation().w`, then `i`, `j`, `k` |
 //! | rate | `base.velocity.x` | `state.base().velocity().x` |
-//! | effort of a motor | `elbow` | `inputs.elbow` |
+//! | acceleration | `elbow.acceleration`; of a hinge with translations and rotations `base.acceleration.linear.x` | `at.elbow().acceleration()` |
+//! | effort | `elbow.effort`; of a hinge with translations and rotations `base.effort.torque.x` | `at.elbow().effort()` |
+//! | input of a motor | `elbow` | `inputs.elbow` |
 //! | efforts of a hinge with translations and rotations | `base.force.x`, `base.torque.x` | entries of `inputs.base` |
 //! | force of a load `push` | `push.force.x` | `inputs.push_force.x` |
 //! | prescribed motion | `crank.state.angle`, `crank.state.rate`, `crank.acceleration` | `inputs.crank.state.angle()` |
@@ -39,6 +41,7 @@ mod items;
 mod name;
 mod part;
 mod quantity;
+mod results;
 mod rows;
 mod shape;
 mod table;
@@ -54,6 +57,9 @@ pub use items::{Item, Items};
 pub use name::Name;
 pub use part::QuantityKind;
 pub use quantity::{Quantities, Quantity};
+#[doc(hidden)]
+pub use results::Arrays;
+pub use results::PointResult;
 pub use rows::{Input, Parameter, Place};
 pub use shape::{Geometry, Shape};
 #[doc(hidden)]
@@ -144,6 +150,19 @@ impl Description {
     #[must_use]
     pub const fn rates(&self) -> Quantities {
         Quantities::rates(self.hinges)
+    }
+
+    /// Returns the accelerations, in the order of [`rates`](Self::rates).
+    #[must_use]
+    pub const fn accelerations(&self) -> Quantities {
+        Quantities::accelerations(self.hinges)
+    }
+
+    /// Returns the efforts of all hinges, in the order of the rates. Hinges with a prescribed motion have entries, too:
+    /// the efforts that their drives must supply.
+    #[must_use]
+    pub const fn efforts(&self) -> Quantities {
+        Quantities::efforts(self.hinges)
     }
 
     /// Returns the inputs.

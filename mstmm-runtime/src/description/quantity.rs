@@ -1,4 +1,4 @@
-//! Quantities: coordinates, rates, inputs and parameters.
+//! Quantities: coordinates, rates, accelerations, efforts, inputs and parameters.
 
 use super::hinge::Hinge;
 use super::items::Element;
@@ -7,7 +7,7 @@ use super::part::{Part, QuantityKind};
 use super::rows::{Input, Parameter};
 use super::table::{Entry, Table};
 
-/// A coordinate, a rate, an input or a parameter.
+/// A coordinate, a rate, an acceleration, an effort, an input or a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// The name, such as `elbow.angle`.
@@ -17,15 +17,15 @@ pub struct Quantity {
     /// The unit as text, such as `N*m`; `1` for components of quaternions and plain numbers.
     pub unit: &'static str,
     /// The value at the start with default parameters; of a parameter its default, of an input its value in `no_inputs()`.
-    /// `None` if it is computed from Rust constants by a root, a sine or a cosine.
+    /// `None` for accelerations and efforts, and if it is computed from Rust constants by a root, a sine or a cosine.
     pub start: Option<f64>,
     /// The lowest and the highest coordinate where the hinge has `limits`, with default parameters.
     pub limits: Option<[f64; 2]>,
-    /// The index of its hinge, for coordinates and rates.
+    /// The index of its hinge, for coordinates, rates, accelerations and efforts.
     pub hinge: Option<usize>,
 }
 
-/// A list of quantities: all coordinates, all rates, all inputs or all parameters.
+/// A list of quantities: all coordinates, all rates, all accelerations, all efforts, all inputs or all parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantities(List);
 
@@ -33,6 +33,8 @@ pub struct Quantities(List);
 enum List {
     Coordinates(Table<Hinge>),
     Rates(Table<Hinge>),
+    Accelerations(Table<Hinge>),
+    Efforts(Table<Hinge>),
     Inputs(Table<Input>),
     Parameters(Table<Parameter>),
 }
@@ -48,6 +50,10 @@ const COORDINATES: Reader<Hinge> =
     Reader { count: Hinge::coordinate_count, path: Element::path, part: Hinge::coordinate };
 const RATES: Reader<Hinge> =
     Reader { count: Hinge::rate_count, path: Element::path, part: Hinge::rate };
+const ACCELERATIONS: Reader<Hinge> =
+    Reader { count: Hinge::rate_count, path: Element::path, part: Hinge::acceleration };
+const EFFORTS: Reader<Hinge> =
+    Reader { count: Hinge::effort_count, path: Element::path, part: Hinge::effort };
 const INPUTS: Reader<Input> = Reader { count: Input::count, path: Input::path, part: Input::part };
 const PARAMETERS: Reader<Parameter> =
     Reader { count: |_| 1, path: Parameter::path, part: Parameter::part };
@@ -59,6 +65,14 @@ impl Quantities {
 
     pub(super) const fn rates(hinges: Table<Hinge>) -> Self {
         Quantities(List::Rates(hinges))
+    }
+
+    pub(super) const fn accelerations(hinges: Table<Hinge>) -> Self {
+        Quantities(List::Accelerations(hinges))
+    }
+
+    pub(super) const fn efforts(hinges: Table<Hinge>) -> Self {
+        Quantities(List::Efforts(hinges))
     }
 
     pub(super) const fn inputs(inputs: Table<Input>) -> Self {
@@ -75,6 +89,8 @@ impl Quantities {
         match self.0 {
             List::Coordinates(table) => table.len(COORDINATES.count),
             List::Rates(table) => table.len(RATES.count),
+            List::Accelerations(table) => table.len(ACCELERATIONS.count),
+            List::Efforts(table) => table.len(EFFORTS.count),
             List::Inputs(table) => table.len(INPUTS.count),
             List::Parameters(table) => table.len(PARAMETERS.count),
         }
@@ -97,6 +113,8 @@ impl Quantities {
         match self.0 {
             List::Coordinates(hinges) => of_hinge(hinges, &COORDINATES),
             List::Rates(hinges) => of_hinge(hinges, &RATES),
+            List::Accelerations(hinges) => of_hinge(hinges, &ACCELERATIONS),
+            List::Efforts(hinges) => of_hinge(hinges, &EFFORTS),
             List::Inputs(table) => get(table, &INPUTS, index).map(|(quantity, _)| quantity),
             List::Parameters(table) => get(table, &PARAMETERS, index).map(|(quantity, _)| quantity),
         }
@@ -110,6 +128,8 @@ impl Quantities {
         match self.0 {
             List::Coordinates(table) => index(table, &COORDINATES, name),
             List::Rates(table) => index(table, &RATES, name),
+            List::Accelerations(table) => index(table, &ACCELERATIONS, name),
+            List::Efforts(table) => index(table, &EFFORTS, name),
             List::Inputs(table) => index(table, &INPUTS, name),
             List::Parameters(table) => index(table, &PARAMETERS, name),
         }

@@ -8,7 +8,10 @@ use crate::description::{
     WrittenInertia, no_parameter,
 };
 
-pub use crate::description::{HingeShape as Shape_, WrittenInertia as Inertia_};
+pub use crate::description::{
+    Arrays as Arrays_, HingeShape as Shape_, PointResult as PointResult_,
+    WrittenInertia as Inertia_,
+};
 
 /// The result of setting a parameter.
 pub type Set_ = Result<(), crate::Error>;

@@ -57,9 +57,9 @@ impl<T: Scalar> LineStateVector<T> {
 /// `R` lists the results that the chain computes, which its setting `results` selects.
 #[derive(Clone, Copy, PartialEq)]
 pub struct LinePoint<T, R = AllResults> {
-    position: T,
-    velocity: T,
-    z: LineStateVector<T>,
+    pub(crate) position: T,
+    pub(crate) velocity: T,
+    pub(crate) z: LineStateVector<T>,
     results: PhantomData<R>,
 }
 

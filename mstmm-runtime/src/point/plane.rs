@@ -76,11 +76,11 @@ impl<T: Scalar> PlaneStateVector<T> {
 /// lists the results that the chain computes, which its setting `results` selects.
 #[derive(Clone, Copy, PartialEq)]
 pub struct PlanePoint<T, R = AllResults> {
-    position: [T; 2],
-    pub(super) cos_sin: [T; 2],
-    velocity: [T; 2],
-    pub(super) angular_velocity: T,
-    pub(super) z: PlaneStateVector<T>,
+    pub(crate) position: [T; 2],
+    pub(crate) cos_sin: [T; 2],
+    pub(crate) velocity: [T; 2],
+    pub(crate) angular_velocity: T,
+    pub(crate) z: PlaneStateVector<T>,
     results: PhantomData<R>,
 }
 

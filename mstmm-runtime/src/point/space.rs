@@ -85,11 +85,11 @@ impl<T: Scalar> StateVector<T> {
 #[doc(alias("frame", "site", "marker", "link state"))]
 #[derive(Clone, Copy, PartialEq)]
 pub struct Point<T, R = AllResults> {
-    position: [T; 3],
-    pub(super) rotation: [[T; 3]; 3],
-    velocity: [T; 3],
-    pub(super) angular_velocity: [T; 3],
-    pub(super) z: StateVector<T>,
+    pub(crate) position: [T; 3],
+    pub(crate) rotation: [[T; 3]; 3],
+    pub(crate) velocity: [T; 3],
+    pub(crate) angular_velocity: [T; 3],
+    pub(crate) z: StateVector<T>,
     results: PhantomData<R>,
 }
 

@@ -3,6 +3,7 @@
 mod elements;
 mod inertia;
 mod quantities;
+mod results;
 mod row;
 mod values;
 
@@ -36,6 +37,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let tables = tables.iter().map(|(method, rows)| table(method, rows));
     let answers = elements::answers(cx);
     let change = inertia::changes(cx);
+    let results = results::emit(cx);
     let [copy, parameters] = [values::inputs(cx), values::parameters(cx)];
     quote! {
         #[allow(clippy::all)]
@@ -46,6 +48,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 #inertias
                 describe_(#chain, #text, #dimensions) #(#tables)* #repeated #answers
             };
+            #results
             #change
             #copy
             #parameters
