@@ -8,5 +8,7 @@ mod lists;
 mod models;
 #[path = "described/names.rs"]
 mod names;
+#[path = "described/results.rs"]
+mod results;
 #[path = "described/values.rs"]
 mod values;

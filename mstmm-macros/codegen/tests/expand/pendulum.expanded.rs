@@ -722,6 +722,25 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
             .driven(&[torque_("joint", "")])
             .changed(&[parameter_("payload", "kg", 0.5)])
     };
+    fn arrays_(
+        at_: &PendulumWorkspace<T>,
+    ) -> ::mstmm::generated::description::Arrays_<'_, T> {
+        ::mstmm::generated::description::Arrays_ {
+            accelerations: at_.accelerations.as_slice(),
+            efforts: at_.efforts.as_slice(),
+            energy: ::core::option::Option::Some(::mstmm::Energy {
+                kinetic: at_.kinetic_energy,
+                potential: at_.potential_energy,
+            }),
+            springs: &[],
+        }
+    }
+    fn point_(
+        at_: &PendulumWorkspace<T>,
+        index_: ::core::primitive::usize,
+    ) -> ::mstmm::generated::description::PointResult_<T> {
+        ::mstmm::generated::description::PointResult_::from(at_.point_(index_))
+    }
     fn change_inertia_(&self, it_: &mut ::mstmm::generated::description::Inertia_<T>) {
         let parameters_ = self.parameters();
         match it_.row {
