@@ -237,6 +237,7 @@ impl<T: Scalar, const K: usize> MulAssign for Dual<T, K> {
 impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
     type Mask = T::Mask;
     type Real = T::Real;
+    type Columns = Self;
 
     const LANES: usize = T::LANES;
 

@@ -50,7 +50,7 @@ use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 use wide::{u32x4, u32x8, u32x16, u64x2, u64x4, u64x8};
 
 use crate::trig::sin_cos::{self, Quadrant};
-use crate::{Mask, Scalar};
+use crate::{Columns, Mask, Scalar};
 
 #[cfg(not(target_feature = "avx"))]
 use self::{f32x4 as WidestF32, f64x2 as WidestF64};
@@ -103,6 +103,7 @@ macro_rules! lanes {
         impl Scalar for $lanes {
             type Mask = $lanes;
             type Real = $real;
+            type Columns = Self;
 
             const LANES: usize = [$($number),*].len();
 
@@ -254,6 +255,25 @@ macro_rules! lanes {
                 let mut copies = Self::default();
                 $(copies.as_mut_array()[$number] = value;)*
                 copies | Self::default()
+            }
+        }
+
+        impl Columns<$real> for $lanes {
+            const COUNT: usize = <Self as Scalar>::LANES;
+
+            #[inline(always)]
+            fn repeated(value: $real) -> Self {
+                Scalar::splat(value)
+            }
+
+            #[inline]
+            fn from_fn(value: impl Fn(usize) -> $real) -> Self {
+                Self::new(core::array::from_fn(value))
+            }
+
+            #[inline]
+            fn values(self) -> impl Iterator<Item = $real> {
+                self.to_array().into_iter()
             }
         }
 

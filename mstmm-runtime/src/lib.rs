@@ -153,7 +153,7 @@ pub use point::{
     AllResults, BodyPoint, ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint,
     LineStateVector, PlanePoint, PlaneStateVector, Point, Results, StateVector,
 };
-pub use scalar::{Mask, Scalar};
+pub use scalar::{Columns, Mask, Scalar};
 pub use spring::SpringResult;
 #[cfg(feature = "wide")]
 pub use wide;

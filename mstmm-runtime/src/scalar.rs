@@ -53,6 +53,13 @@ pub trait Scalar:
     /// It has the precision of the lanes; for `f32` and `f64` it is the type itself.
     type Real: Scalar<Real = Self::Real, Mask = bool> + PartialOrd;
 
+    /// The type of several columns of a matrix: matrices of long chains are computed as many columns at a time as this
+    /// type has.
+    ///
+    /// For `f32` and `f64` these are the native lanes of the feature `wide`. A type without lanes for its columns uses
+    /// itself.
+    type Columns: Columns<Self>;
+
     /// The number of lanes: a chain of this scalar type computes as many states at once.
     const LANES: usize = 1;
 
@@ -143,4 +150,40 @@ pub trait Scalar:
 
     /// Returns the same number in every lane.
     fn splat(value: Self::Real) -> Self;
+}
+
+/// Values of type `T`, one for each of several columns of a matrix.
+///
+/// A scalar type is a single column of itself.
+pub trait Columns<T>: Scalar {
+    /// The number of columns.
+    const COUNT: usize;
+
+    /// Returns the same value in every column.
+    fn repeated(value: T) -> Self;
+
+    /// Returns the values that `value` returns for the index of each column.
+    fn from_fn(value: impl Fn(usize) -> T) -> Self;
+
+    /// Iterates over the values of the columns.
+    fn values(self) -> impl Iterator<Item = T>;
+}
+
+impl<T: Scalar> Columns<T> for T {
+    const COUNT: usize = 1;
+
+    #[inline(always)]
+    fn repeated(value: T) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn from_fn(value: impl Fn(usize) -> T) -> Self {
+        value(0)
+    }
+
+    #[inline(always)]
+    fn values(self) -> impl Iterator<Item = T> {
+        core::iter::once(self)
+    }
 }

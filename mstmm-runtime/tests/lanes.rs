@@ -73,6 +73,7 @@ impl Mask for PairMask {
 impl Scalar for Pair {
     type Mask = PairMask;
     type Real = f64;
+    type Columns = Self;
     const LANES: usize = 2;
 
     fn constant(value: f64) -> Self {

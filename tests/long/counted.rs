@@ -74,6 +74,7 @@ impl MulAssign for Counted {
 impl Scalar for Counted {
     type Mask = bool;
     type Real = Self;
+    type Columns = Self;
 
     fn constant(value: f64) -> Self {
         Self(value)

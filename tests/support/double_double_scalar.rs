@@ -10,6 +10,7 @@ use mstmm::Scalar;
 impl Scalar for DoubleDouble {
     type Mask = bool;
     type Real = Self;
+    type Columns = Self;
 
     fn constant(value: f64) -> Self {
         Self::new(value)

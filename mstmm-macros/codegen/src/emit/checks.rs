@@ -33,6 +33,8 @@ pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
                     quote!(#mstmm::generated::check_finite_slice::<T>(state_.v.as_slice())?;),
                 );
             }
+            // Unit vectors are finite.
+            ArrayRole::Argument(argument) if printer.varying.is_factor(argument) => {}
             ArrayRole::Argument(Argument::Given(given)) => {
                 let vector = super::arguments::given(given);
                 vectors.extend(
@@ -82,19 +84,25 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             }
         }
     }
-    let (mut numbers, mut arrays) = (Vec::new(), TokenStream::new());
+    let (mut numbers, mut columns, mut arrays) = (Vec::new(), Vec::new(), TokenStream::new());
     for witness in &check.finite {
         match witness {
+            Witness::Value(value) if printer.varying.operand(value) => {
+                columns.push(printer.operand(value));
+            }
             Witness::Value(value) => numbers.push(printer.operand(value)),
             Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
             // A long array is not passed by value.
             Witness::Array(array) => {
-                let result = printer.stored_result(*array);
+                let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
                 arrays.extend(
-                    quote!(#mstmm::generated::check_finite_slice::<T>(#result.as_slice())?;),
+                    quote!(#mstmm::generated::check_finite_slice::<#scalar>(#result.as_slice())?;),
                 );
             }
         }
+    }
+    if !columns.is_empty() {
+        arrays.extend(quote!(#mstmm::generated::check_finite::<C>(&[&[#(#columns),*]])?;));
     }
     let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
     let error = quote!(#mstmm::generated::pivot_error::<T, _>(&[#(#names),*], #values, #scales));

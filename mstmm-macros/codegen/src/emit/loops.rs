@@ -6,10 +6,10 @@ use super::loop_inputs::{LoopInput, pattern, zipped};
 use super::names::helper;
 use super::printer::{Printer, flag};
 use crate::program::{
-    ArrayId, ArrayRole, ArraySlice, CheckId, ForLoop, Operand, Segment, Step, ValueId,
+    ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, ForLoop, Operand, Segment, Step, ValueId,
 };
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// Declares the flags of the pivot tests and the arrays of values that loops store for later loops.
 pub fn declarations(printer: &Printer) -> TokenStream {
@@ -21,10 +21,18 @@ pub fn declarations(printer: &Printer) -> TokenStream {
     });
     let locals = locals.map(|(id, array)| {
         let (store, segment) = (local(id), &array.layout.segments[0]);
-        let [count, repetitions] = [segment.count, segment.repetitions].map(usize_literal);
+        let repetitions = usize_literal(segment.repetitions);
+        let entries = 0..segment.count;
+        let columns = entries.filter(|&entry| printer.varying.entry(id, entry)).count();
+        let [once, columns] = [segment.count - columns, columns];
+        let [count, of_columns] = [once, columns].map(usize_literal);
+        let values = match columns {
+            0 => quote!([T; #count]),
+            _ => quote!(([T; #count], [C; #of_columns])),
+        };
         quote! {
             let mut #store =
-                #mstmm::generated::LoopStore::<[T; #count], #repetitions>::new_const();
+                #mstmm::generated::LoopStore::<#values, #repetitions>::new_const();
         }
     });
     quote! {
@@ -56,9 +64,9 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
             },
             Step::Store { to, values } => match printer.array(to).role {
                 ArrayRole::Local(_) => {
-                    let (store, values) =
-                        (local(to.array), values.iter().flatten().map(|it| printer.operand(it)));
-                    writes.extend(quote!(_ = #store.try_push([#(#values),*]);));
+                    let (store, values) = (local(to.array), values.iter().flatten());
+                    let values = of_local(printer, to.array, values.map(|it| printer.operand(it)));
+                    writes.extend(quote!(_ = #store.try_push(#values);));
                 }
                 _ => {
                     let (input, statements) = write(printer, to, values);
@@ -87,8 +95,11 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
     let variable = |value| printer.variables.get(value);
     let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
     let phis = loop_.carries.iter().map(|carry| variable(carry.phi));
-    let inits = loop_.carries.iter().map(|carry| printer.operand(&carry.init));
-    let nexts = loop_.carries.iter().map(|carry| printer.operand(&carry.next));
+    let of_type = |carry: &CarriedValue, operand: &Operand| {
+        printer.operand_of(operand, printer.varying.value(carry.phi))
+    };
+    let inits = loop_.carries.iter().map(|carry| of_type(carry, &carry.init));
+    let nexts = loop_.carries.iter().map(|carry| of_type(carry, &carry.next));
     let (pattern, iterator) = zipped(inputs, &usize_literal(loop_.repetitions), loop_.inward);
     quote! {
         #(let mut #exits = #inits;)*
@@ -104,8 +115,11 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
 
 /// Returns the iterator over values of an earlier loop, which has stored them in the order of its direction.
 fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> LoopInput {
-    let wanted = into.iter().map(|value| value.map(|value| printer.variables.get(value).clone()));
-    let (pattern, store) = (pattern(&wanted.collect::<Vec<_>>()), local(from.array));
+    let entries = into.iter().map(|value| match value {
+        Some(value) => printer.variables.get(*value).to_token_stream(),
+        None => quote!(_),
+    });
+    let (pattern, store) = (of_local(printer, from.array, entries), local(from.array));
     let steps = printer.procedure.body.iter();
     let mut loops = steps.filter_map(|step| match step {
         Step::Loop(loop_) => Some(loop_),
@@ -121,6 +135,24 @@ fn load_local(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) ->
         quote!(#store.iter())
     };
     (quote!(&#pattern), times)
+}
+
+/// Prints the values that a loop stores in a repetition, or their pattern: an array, or two arrays if some values differ
+/// between columns.
+fn of_local(
+    printer: &Printer,
+    array: ArrayId,
+    entries: impl Iterator<Item = TokenStream>,
+) -> TokenStream {
+    let (mut once, mut columns) = (Vec::new(), Vec::new());
+    for (entry, value) in entries.enumerate() {
+        let list = if printer.varying.entry(array, entry) { &mut columns } else { &mut once };
+        list.push(value);
+    }
+    match columns.is_empty() {
+        true => quote!([#(#once),*]),
+        false => quote!(([#(#once),*], [#(#columns),*])),
+    }
 }
 
 /// Prints the store of a loop into a segment of a result.
@@ -166,7 +198,7 @@ fn assigned(
         let Some(value) = value else { continue };
         let number = segment.first + to.first + entry;
         let name = helper(&format!("o{}_{number}", to.array.index()));
-        let value = printer.operand(value);
+        let value = printer.stored(to.array, value);
         writes.extend(quote!(*#name = #value;));
         names[to.first + entry] = Some(name);
     }

@@ -6,6 +6,7 @@ mod body;
 mod chain_impl;
 mod checks;
 mod closure;
+mod columns;
 mod const_expr;
 mod constructor;
 mod derivatives;

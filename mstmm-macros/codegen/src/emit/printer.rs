@@ -1,6 +1,7 @@
 //! The state of the printer of a procedure: variables, destinations of results, and how sections are written.
 
 use super::EmitContext;
+use super::columns::Varying;
 use super::names::{Variables, helper};
 use super::statement::Writer;
 use crate::program::{
@@ -32,6 +33,8 @@ pub struct Printer<'a> {
     pub procedure: &'a Procedure,
     /// The variables of its values.
     pub variables: Variables,
+    /// The values that differ between columns, if it computes several columns at a time.
+    pub varying: Varying,
     /// The destinations of its results, by array.
     pub destinations: Vec<Option<Destination>>,
     /// Statements that run before it returns an error.
@@ -46,7 +49,7 @@ impl Printer<'_> {
     /// Prints steps in order: sections under their headings, other steps by `other`.
     pub fn steps(&self, steps: &[Step], other: impl Fn(&Step) -> TokenStream) -> TokenStream {
         let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
-        let mut writer = Writer::new(self.cx, &self.variables);
+        let mut writer = Writer::new(self.cx, &self.variables, &self.varying);
         let mut headings = writer.headings(&sections);
         let (mut number, mut declared, mut stored) = (0, 0, false);
         for step in steps {
@@ -73,11 +76,26 @@ impl Printer<'_> {
         writer.finish()
     }
 
-    /// Prints an operand.
+    /// Prints an operand of its own type.
     pub fn operand(&self, operand: &Operand) -> TokenStream {
-        let mut writer = Writer::new(self.cx, &self.variables);
-        writer.operand(operand);
+        self.operand_of(operand, self.varying.operand(operand))
+    }
+
+    /// Prints an operand, of the type of columns if `varying`.
+    pub fn operand_of(&self, operand: &Operand, varying: bool) -> TokenStream {
+        let mut writer = Writer::new(self.cx, &self.variables, &self.varying);
+        writer.operand(operand, varying);
         writer.finish()
+    }
+
+    /// Prints a value that is stored in an array.
+    pub fn stored(&self, array: ArrayId, operand: &Operand) -> TokenStream {
+        self.operand_of(operand, self.varying.array(array))
+    }
+
+    /// Prints the scalar type of an array, `C` for columns.
+    pub fn scalar(&self, array: ArrayId) -> TokenStream {
+        if self.varying.array(array) { quote!(C) } else { quote!(T) }
     }
 
     /// Returns the array of a slice.

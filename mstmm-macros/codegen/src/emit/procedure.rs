@@ -1,6 +1,7 @@
 //! Prints a procedure as Rust statements.
 
 use super::arrays::usize_literal;
+use super::columns::Varying;
 use super::names::{Variables, helper};
 use super::printer::{Destination, Printer};
 use super::{EmitContext, arguments, checks, loops};
@@ -26,6 +27,25 @@ impl EmitContext<'_> {
         fresh: &TokenStream,
         destination: impl Fn(OutputId) -> Destination,
     ) -> TokenStream {
+        self.typed(procedure, Varying::none(procedure), fresh, destination)
+    }
+
+    /// Returns the statements of a procedure for a product, with several factors in the type `C` of columns.
+    pub fn procedure_of_columns(
+        &self,
+        procedure: &Procedure,
+        destination: impl Fn(OutputId) -> Destination,
+    ) -> TokenStream {
+        self.typed(procedure, Varying::of(procedure), &TokenStream::new(), destination)
+    }
+
+    fn typed(
+        &self,
+        procedure: &Procedure,
+        varying: Varying,
+        fresh: &TokenStream,
+        destination: impl Fn(OutputId) -> Destination,
+    ) -> TokenStream {
         let of_array = |array: &Array| match array.role {
             ArrayRole::Result(id) => Some(destination(id)),
             ArrayRole::Argument(_) | ArrayRole::Local(_) => None,
@@ -37,6 +57,7 @@ impl EmitContext<'_> {
             cx: self,
             procedure,
             variables: Variables::of(&procedure.values),
+            varying,
             destinations: procedure.arrays.iter().map(of_array).collect(),
             on_failure: (procedure.failure == Failure::Reset).then_some(reset),
             looped: procedure.body.iter().any(|step| matches!(step, Step::Loop(_))),
@@ -89,14 +110,15 @@ impl Printer<'_> {
         for (id, array) in self.result_arrays() {
             if self.is_filled(id) {
                 let (name, total) = (self.result(id), usize_literal(array.layout.total));
+                let scalar = self.scalar(id);
                 statements.extend(match self.destination(id) {
                     Destination::Array(_) | Destination::Vector(_) if self.is_kept_back() => {
-                        quote!(let mut #name = [T::constant(0.0); #total];)
+                        quote!(let mut #name = [#scalar::constant(0.0); #total];)
                     }
                     Destination::Array(place) | Destination::Vector(place) => {
                         quote!(let #name = &mut #place;)
                     }
-                    _ => quote!(let mut #name = [T::constant(0.0); #total];),
+                    _ => quote!(let mut #name = [#scalar::constant(0.0); #total];),
                 });
             } else if let Some(names) = self.entries(id) {
                 statements.extend(match self.destination(id) {
@@ -138,7 +160,7 @@ impl Printer<'_> {
             return loops::fill(self, to, values);
         }
         let operand = |value: &Option<Operand>| match value {
-            Some(value) => self.operand(value),
+            Some(value) => self.stored(to.array, value),
             None => bug!("a result outside of repeated parts is missing"),
         };
         let operands: Vec<TokenStream> = values.iter().map(operand).collect();
@@ -187,7 +209,8 @@ impl Printer<'_> {
         };
         for (id, _) in self.result_arrays().filter(|(id, _)| !is_stored(*id)) {
             if let Destination::New(name) = self.destination(id) {
-                statements.extend(quote!(let #name: [T; 0] = [];));
+                let scalar = self.scalar(id);
+                statements.extend(quote!(let #name: [#scalar; 0] = [];));
             }
         }
         statements

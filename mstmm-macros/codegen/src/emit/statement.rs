@@ -4,6 +4,7 @@
 //! is a call into rustc. The writer creates one stream per program and one per bracketed group.
 
 use super::EmitContext;
+use super::columns::Varying;
 use super::names::{Variables, helper};
 use crate::program::{Operand, Operation, Section, SectionCost, Statement, ValueId, by_heading};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -15,13 +16,14 @@ const DECLARED: usize = 500;
 pub struct Writer<'a> {
     cx: &'a EmitContext<'a>,
     variables: &'a Variables,
+    varying: &'a Varying,
     tokens: Vec<TokenTree>,
 }
 
 impl<'a> Writer<'a> {
-    /// Returns an empty writer for a program with these variables.
-    pub fn new(cx: &'a EmitContext<'a>, variables: &'a Variables) -> Self {
-        Writer { cx, variables, tokens: Vec::new() }
+    /// Returns an empty writer for a procedure with these variables, some of which may differ between columns.
+    pub fn new(cx: &'a EmitContext<'a>, variables: &'a Variables, varying: &'a Varying) -> Self {
+        Writer { cx, variables, varying, tokens: Vec::new() }
     }
 
     /// Appends tokens.
@@ -105,23 +107,28 @@ impl<'a> Writer<'a> {
     }
 
     fn statement(&mut self, statement: &Statement) {
+        let varying = self.varying.statement(statement);
         match statement {
             Statement::Let(name, operation) => {
                 self.name(*name);
                 self.sign('=');
-                self.operation(operation);
+                self.operation(operation, varying);
             }
             Statement::SinCos { sines, cosines, angles } => {
+                if varying {
+                    bug!("a product is not linear in its factor");
+                }
                 self.group(Delimiter::Parenthesis, |both| {
                     both.names(sines);
                     both.sign(',');
                     both.names(cosines);
                 });
                 self.sign('=');
-                self.function("sin_cos");
+                self.function("sin_cos", false);
                 self.group(Delimiter::Parenthesis, |arguments| {
-                    arguments
-                        .group(Delimiter::Bracket, |list| list.separated(angles, Self::operand));
+                    arguments.group(Delimiter::Bracket, |list| {
+                        list.separated(angles, |list, angle| list.operand(angle, false));
+                    });
                 });
             }
         }
@@ -137,21 +144,21 @@ impl<'a> Writer<'a> {
         });
     }
 
-    fn operation(&mut self, operation: &Operation) {
+    fn operation(&mut self, operation: &Operation, varying: bool) {
         match operation {
-            Operation::Sum(a, b) => self.infix(a, '+', b),
-            Operation::Difference(a, b) => self.infix(a, '-', b),
-            Operation::Product(a, b) => self.infix(a, '*', b),
-            Operation::MulAdd(a, b, c) => self.call("mul_add", [a, b, c]),
-            Operation::MulSub(a, b, c) => self.call("mul_sub", [a, b, c]),
-            Operation::MulNegAdd(a, b, c) => self.call("mul_neg_add", [a, b, c]),
-            Operation::Recip(a) => self.call("recip", [a]),
-            Operation::Sqrt(a) => self.call("sqrt", [a]),
-            Operation::CopySign(a, b) => self.call("copysign", [a, b]),
-            Operation::Atan2(a, b) => self.call("atan2", [a, b]),
+            Operation::Sum(a, b) => self.infix(a, '+', b, varying),
+            Operation::Difference(a, b) => self.infix(a, '-', b, varying),
+            Operation::Product(a, b) => self.infix(a, '*', b, varying),
+            Operation::MulAdd(a, b, c) => self.call("mul_add", [a, b, c], varying),
+            Operation::MulSub(a, b, c) => self.call("mul_sub", [a, b, c], varying),
+            Operation::MulNegAdd(a, b, c) => self.call("mul_neg_add", [a, b, c], varying),
+            Operation::Recip(a) => self.call("recip", [a], varying),
+            Operation::Sqrt(a) => self.call("sqrt", [a], varying),
+            Operation::CopySign(a, b) => self.call("copysign", [a, b], varying),
+            Operation::Atan2(a, b) => self.call("atan2", [a, b], varying),
             Operation::RecipAbove(a, b) => {
                 self.generated("recip_above");
-                self.arguments([a, b]);
+                self.arguments([a, b], varying);
             }
         }
     }
@@ -163,30 +170,35 @@ impl<'a> Writer<'a> {
         self.step_into(function);
     }
 
-    fn infix(&mut self, a: &Operand, sign: char, b: &Operand) {
-        self.operand(a);
+    fn infix(&mut self, a: &Operand, sign: char, b: &Operand, varying: bool) {
+        self.operand(a, varying);
         self.sign(sign);
-        self.operand(b);
+        self.operand(b, varying);
     }
 
-    fn call<const N: usize>(&mut self, function: &str, operands: [&Operand; N]) {
-        self.function(function);
-        self.arguments(operands);
+    fn call<const N: usize>(&mut self, function: &str, operands: [&Operand; N], varying: bool) {
+        self.function(function, varying);
+        self.arguments(operands, varying);
     }
 
-    fn arguments<const N: usize>(&mut self, operands: [&Operand; N]) {
+    fn arguments<const N: usize>(&mut self, operands: [&Operand; N], varying: bool) {
         self.group(Delimiter::Parenthesis, |arguments| {
-            arguments.separated(&operands, |arguments, operand| arguments.operand(operand));
+            arguments
+                .separated(&operands, |arguments, operand| arguments.operand(operand, varying));
         });
     }
 
-    /// Writes an operand.
-    pub fn operand(&mut self, operand: &Operand) {
+    /// Writes an operand, of the type of columns if `varying`.
+    pub fn operand(&mut self, operand: &Operand, varying: bool) {
+        if varying && !self.varying.operand(operand) {
+            self.function("repeated", true);
+            return self.arguments([operand], false);
+        }
         match operand {
             Operand::Number(value) => self.number(*value),
             Operand::Value(value) => self.name(*value),
             Operand::Minus(inner) => {
-                self.call("negate", [inner]);
+                self.call("negate", [inner], varying);
             }
         }
     }
@@ -209,9 +221,9 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// Writes the path of a function of the scalar type.
-    fn function(&mut self, name: &str) {
-        self.word("T");
+    /// Writes the path of a function of the scalar type, or of the type `C` of columns.
+    fn function(&mut self, name: &str, varying: bool) {
+        self.word(if varying { "C" } else { "T" });
         self.step_into(name);
     }
 
@@ -233,7 +245,7 @@ impl<'a> Writer<'a> {
 
     /// Writes a bracketed group.
     pub fn group(&mut self, delimiter: Delimiter, write: impl FnOnce(&mut Self)) {
-        let mut inner = Writer::new(self.cx, self.variables);
+        let mut inner = Writer::new(self.cx, self.variables, self.varying);
         write(&mut inner);
         self.tokens.push(Group::new(delimiter, inner.finish()).into());
     }

@@ -1,7 +1,9 @@
-//! The matrices of long chains: loops over columns, each the product with a unit vector. Their code does not depend on the
-//! number of columns.
+//! The matrices of long chains: loops over columns, each the product with a unit vector, several at a time. Their code does
+//! not depend on the number of columns.
 
 use super::super::EmitContext;
+use super::super::arrays::usize_literal;
+use super::column_products;
 use super::derivatives::{docs_of_derivatives, docs_of_linearization, set_state};
 use super::dynamics::of_accelerations;
 use super::mass_matrix::{docs_of_inverse, docs_of_mass_matrix, square};
@@ -16,9 +18,11 @@ pub(super) fn emit(cx: &EmitContext) -> TokenStream {
     let has = |answer| cx.compiled.find(answer).is_some();
     let mut methods = TokenStream::new();
     if asks(Request::MassMatrix) && !has(Answer::MassMatrix) {
-        methods.extend(matrix(cx, "mass_matrix", docs_of_mass_matrix(cx)));
+        let times = Answer::MassMatrixTimes;
+        methods.extend(matrix(cx, "mass_matrix", times, docs_of_mass_matrix(cx)));
         if has(Answer::InverseMassMatrixTimes) {
-            methods.extend(matrix(cx, "inverse_mass_matrix", docs_of_inverse(cx)));
+            let times = Answer::InverseMassMatrixTimes;
+            methods.extend(matrix(cx, "inverse_mass_matrix", times, docs_of_inverse(cx)));
         }
     }
     if asks(Request::Derivatives) && !has(Answer::InverseDynamicsDerivatives) {
@@ -31,16 +35,21 @@ pub(super) fn emit(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the method for a matrix from its products.
-fn matrix(cx: &EmitContext, name: &str, [before, after]: [TokenStream; 2]) -> TokenStream {
+fn matrix(
+    cx: &EmitContext,
+    name: &str,
+    times: Answer,
+    [before, after]: [TokenStream; 2],
+) -> TokenStream {
     let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
     let (given, matrix, returns) = (of_state_and_inputs(cx), square(cx), fallible(cx, &quote!(())));
-    let (into, times) = (format_ident!("{name}_into"), format_ident!("{name}_times_into"));
+    let (into, times) = (format_ident!("{name}_into"), column_products::name(times));
     quote! {
         #before
         #after
         #visibility fn #into(&self, #given matrix_: &mut #matrix) -> #returns {
-            #mstmm::generated::columns(matrix_, |vector_, product_| {
-                self.#times(state_, inputs_, vector_, product_)
+            #mstmm::generated::columns(matrix_, |vectors_, products_| {
+                self.#times(state_, inputs_, vectors_, products_)
             })
         }
     }
@@ -51,6 +60,9 @@ fn derivatives(cx: &EmitContext) -> TokenStream {
     let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
     let (derivatives, variation) = (&cx.names.derivatives, &cx.names.variation);
     let [before, after] = docs_of_derivatives(cx);
+    let columns = columns_type(cx);
+    let change = column_products::name(Answer::EffortsChange);
+    let times = column_products::name(Answer::MassMatrixTimes);
     quote! {
         #before
         #after
@@ -59,18 +71,18 @@ fn derivatives(cx: &EmitContext) -> TokenStream {
             #given
             derivatives_: &mut #derivatives<T>,
         ) -> #returns {
-            let mut direction_ = <#variation<T> as ::core::default::Default>::default();
-            #mstmm::generated::columns(&mut derivatives_.by_coordinates, |unit_, change_| {
-                direction_.coordinates = *unit_;
-                self.efforts_change_into_(state_, accelerations_, inputs_, &direction_, change_)
+            let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
+            #mstmm::generated::columns(&mut derivatives_.by_coordinates, |units_, changes_| {
+                direction_.coordinates = *units_;
+                self.#change(state_, inputs_, accelerations_, &direction_, changes_)
             })?;
             direction_ = ::core::default::Default::default();
-            #mstmm::generated::columns(&mut derivatives_.by_rates, |unit_, change_| {
-                direction_.rates = *unit_;
-                self.efforts_change_into_(state_, accelerations_, inputs_, &direction_, change_)
+            #mstmm::generated::columns(&mut derivatives_.by_rates, |units_, changes_| {
+                direction_.rates = *units_;
+                self.#change(state_, inputs_, accelerations_, &direction_, changes_)
             })?;
-            #mstmm::generated::columns(&mut derivatives_.by_accelerations, |vector_, product_| {
-                self.mass_matrix_times_into(state_, inputs_, vector_, product_)
+            #mstmm::generated::columns(&mut derivatives_.by_accelerations, |vectors_, products_| {
+                self.#times(state_, inputs_, vectors_, products_)
             })
         }
     }
@@ -82,13 +94,17 @@ fn linearization(cx: &EmitContext) -> TokenStream {
     let (linearization, variation) = (&cx.names.linearization, &cx.names.variation);
     let [before, after] = docs_of_linearization(cx);
     let set_state = set_state(cx);
+    let columns = columns_type(cx);
+    let push = column_products::name(Answer::Push);
+    let times = column_products::name(Answer::InverseMassMatrixTimes);
     let along = ["coordinates", "rates", "inputs", "parameters"].map(|name| {
         let (field, result) = (format_ident!("{name}"), format_ident!("by_{name}"));
         quote! {
-            let mut direction_ = <#variation<T> as ::core::default::Default>::default();
-            #mstmm::generated::columns(&mut linearization_.#result, |unit_, change_| {
-                direction_.#field = *unit_;
-                self.push_into(state_, inputs_, &direction_, &mut linearization_.accelerations, change_)
+            let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
+            #mstmm::generated::columns(&mut linearization_.#result, |units_, changes_| {
+                direction_.#field = *units_;
+                let accelerations_ = &mut linearization_.accelerations;
+                self.#push(state_, inputs_, &direction_, accelerations_, changes_)
             })?;
         }
     });
@@ -100,14 +116,20 @@ fn linearization(cx: &EmitContext) -> TokenStream {
             #given
             linearization_: &mut #linearization<T>,
         ) -> #returns {
-            #mstmm::generated::columns(&mut linearization_.inverse_mass_matrix, |vector_, product_| {
-                self.inverse_mass_matrix_times_into(state_, inputs_, vector_, product_)
+            #mstmm::generated::columns(&mut linearization_.inverse_mass_matrix, |vectors_, products_| {
+                self.#times(state_, inputs_, vectors_, products_)
             })?;
             #(#along)*
             #set_state
             ::core::result::Result::Ok(())
         }
     }
+}
+
+/// Returns the type of several columns.
+fn columns_type(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    quote!(<T as #mstmm::Scalar>::Columns)
 }
 
 /// Returns the implementation of the trait that the discrete model of a step needs, for a chain whose linearisation is
@@ -119,9 +141,9 @@ pub(super) fn linearize_trait(cx: &EmitContext) -> TokenStream {
     let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
     let (state, inputs) = (&cx.names.state, &cx.names.inputs);
     let linearization = &cx.names.linearization;
-    let rates = super::super::arrays::usize_literal(cx.rates().total);
+    let rates = usize_literal(cx.rates().total);
     let count = crate::compile::layouts::inputs(cx.chain, cx.layout).total;
-    let count = super::super::arrays::usize_literal(count);
+    let count = usize_literal(count);
     let returns = fallible(cx, &quote!(()));
     quote! {
         impl<T: #mstmm::Scalar> #mstmm::linear::Linearize<#rates, #count> for #name<T> {

@@ -4,7 +4,7 @@ use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
 use super::dynamics::of_vector;
-use super::{MethodTemplate, fallible, of_state_and_inputs};
+use super::{MethodTemplate, column_products, fallible, of_state_and_inputs};
 use crate::model::Answer;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -44,6 +44,7 @@ pub(super) fn matrix(cx: &EmitContext) -> TokenStream {
     let rows = usize_literal(cx.chain.dimension.axes().len());
     let columns = usize_literal(cx.rates().total);
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
+    let times = column_products::name(Answer::ClosureJacobianTimes);
     quote! {
         #[doc(alias("constraint Jacobian", "getConstraintJacobian", "efc_J", "loop closure"))]
         /// Computes the constraint Jacobian `G` of the closed chain: `G v` is the velocity of the outboard side of the
@@ -64,8 +65,8 @@ pub(super) fn matrix(cx: &EmitContext) -> TokenStream {
             #given
             jacobian_: &mut #mstmm::nalgebra::SMatrix<T, #rows, #columns>,
         ) -> ::core::result::Result<(), #mstmm::Error> {
-            #mstmm::generated::columns(jacobian_, |vector_, product_| {
-                self.closure_jacobian_times_into(state_, inputs_, vector_, product_)
+            #mstmm::generated::columns(jacobian_, |vectors_, products_| {
+                self.#times(state_, inputs_, vectors_, products_)
             })
         }
         /// Returns the constraint Jacobian; see [`closure_jacobian_into`](Self::closure_jacobian_into).

@@ -2,6 +2,7 @@
 
 mod by_columns;
 mod closure_jacobian;
+mod column_products;
 mod derivatives;
 mod dynamics;
 mod inverse_dynamics;
@@ -44,12 +45,16 @@ struct MethodTemplate {
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.names.chain;
-    let methods = cx.compiled.functions.iter().map(|function| method(cx, function));
+    // The change of efforts is a product with several vectors only.
+    let functions = cx.compiled.functions.iter();
+    let functions = functions.filter(|function| function.answer != Some(Answer::EffortsChange));
+    let methods = functions.map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
     let derivatives = derivatives::by_value(cx);
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
     let (by_columns, linearize) = (by_columns::emit(cx), by_columns::linearize_trait(cx));
+    let column_products = column_products::emit(cx);
     let momentum_matrix = momentum::by_value(cx);
     let regressor = regressor::others(cx);
     let kinematics = kinematics::further(cx);
@@ -65,6 +70,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #energy
             #closure_jacobian
             #regressor
+            #column_products
             #by_columns
             #momentum_matrix
             #kinematics
@@ -106,7 +112,10 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
         _ => quote!(self.workspace()),
     };
     let cost = docs::cost(procedure);
-    let statements = cx.procedure(procedure, &fresh, |id| destination(cx, id));
+    let statements = match column_products::is_used(cx, answer) {
+        true => column_products::of_one_vector(cx, answer),
+        false => cx.procedure(procedure, &fresh, |id| destination(cx, id)),
+    };
     let body = body(quote!(#opening #statements), end);
     quote! {
         #before
@@ -137,7 +146,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::MassMatrixTimes => inverse_dynamics::mass_matrix_times(cx),
         Answer::InverseMassMatrixTimes => inverse_dynamics::inverse_mass_matrix_times(cx),
         Answer::Push => products::push(cx),
-        Answer::EffortsChange => products::efforts_change(cx),
+        Answer::EffortsChange => bug!("the change of efforts is no public method"),
         Answer::Pull => products::pull(cx),
         Answer::ClosureJacobianTimes => closure_jacobian::times(cx),
         Answer::Regressor => regressor::regressor(cx),

@@ -2,7 +2,7 @@
 
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
-use super::dynamics::{lent_rates, of_accelerations, of_vector};
+use super::dynamics::{lent_rates, of_vector};
 use super::{MethodTemplate, fallible, of_state_and_inputs};
 use crate::compile::outputs;
 use crate::program::OutputId;
@@ -88,25 +88,5 @@ pub(super) fn pull(cx: &EmitContext) -> MethodTemplate {
             outputs::BY_PARAMETERS => Destination::Vector(quote!(gradient_.parameters)),
             _ => bug!("a gradient has no place for `{}`", id.name),
         },
-    }
-}
-
-/// Returns the function that the derivatives of inverse dynamics of a long chain are computed by.
-pub(super) fn efforts_change(cx: &EmitContext) -> MethodTemplate {
-    let (given, variation) = (of_accelerations(cx), &cx.names.variation);
-    let lent = lent_rates(cx, &quote!(change_));
-    MethodTemplate {
-        name: quote!(fn efforts_change_into_),
-        docs: [
-            quote! {
-                /// Computes the change of inverse dynamics along a direction, at given accelerations.
-            },
-            TokenStream::new(),
-        ],
-        arguments: quote!(#given direction_: &#variation<T>, #lent),
-        returns: fallible(cx, &quote!(())),
-        opening: TokenStream::new(),
-        end: quote!(::core::result::Result::Ok(())),
-        destination: |_, _| Destination::Vector(quote!((*change_))),
     }
 }

@@ -4,9 +4,9 @@ use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions, variation};
 use super::dynamics::{lent_rates, of_accelerations};
-use super::{MethodTemplate, fallible, new};
+use super::{MethodTemplate, column_products, fallible, new};
 use crate::compile::layouts;
-use crate::model::Request;
+use crate::model::{Answer, Request};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -172,6 +172,7 @@ fn by_columns(cx: &EmitContext) -> TokenStream {
     let given = of_accelerations(cx);
     let (rows, columns) = size(cx);
     let [before, after] = docs_of_regressor(cx);
+    let times = column_products::name(Answer::RegressorTimes);
     quote! {
         #before
         #after
@@ -180,8 +181,8 @@ fn by_columns(cx: &EmitContext) -> TokenStream {
             #given
             regressor_: &mut #mstmm::nalgebra::SMatrix<T, #rows, #columns>,
         ) -> ::core::result::Result<(), #mstmm::Error> {
-            #mstmm::generated::columns(regressor_, |parameters_, product_| {
-                self.regressor_times_into(state_, accelerations_, inputs_, parameters_, product_)
+            #mstmm::generated::columns(regressor_, |parameters_, products_| {
+                self.#times(state_, inputs_, accelerations_, parameters_, products_)
             })
         }
     }
