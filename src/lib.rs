@@ -34,6 +34,7 @@ pub mod frames {}
 pub mod terms {}
 
 pub mod hinges;
+pub mod keywords;
 pub mod tutorial;
 
 #[doc(hidden)]

@@ -28,7 +28,7 @@ mod value;
 
 pub use lookahead::SETTINGS;
 pub use number::{FORMS, FUNCTIONS};
-pub use passthrough::{PartInstance, Passthrough, References};
+pub use passthrough::{KeywordGroup, KeywordUses, PartInstance, Passthrough, References};
 pub use route_tree::*;
 pub use tree::*;
 

@@ -37,4 +37,71 @@ pub struct References {
     pub types: Vec<Ident>,
     /// The same on the route.
     pub uses_of_types: Vec<Ident>,
+    /// Parameters in numbers.
+    pub parameters: Vec<Ident>,
+    /// Kinds of hinges, fields and units, each as often as it is written.
+    pub keywords: Vec<KeywordUses>,
+}
+
+/// The uses of a group of keywords.
+#[derive(Debug)]
+pub struct KeywordUses {
+    /// The group.
+    pub group: KeywordGroup,
+    /// The keywords, at least one.
+    pub words: Vec<Ident>,
+}
+
+/// A group of keywords: a module of `mstmm::keywords`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KeywordGroup {
+    /// Kinds of hinges.
+    Kinds,
+    /// Settings of a chain.
+    Settings,
+    /// Fields of body types.
+    Body,
+    /// Fields of hinges.
+    Hinge,
+    /// Symbols of units.
+    Units,
+    /// Fields of the start of a floating base.
+    Base,
+    /// Fields of loads.
+    Load,
+    /// Fields of springs.
+    Spring,
+}
+
+impl KeywordGroup {
+    /// All groups.
+    pub const ALL: [KeywordGroup; 8] = [
+        KeywordGroup::Kinds,
+        KeywordGroup::Settings,
+        KeywordGroup::Body,
+        KeywordGroup::Hinge,
+        KeywordGroup::Units,
+        KeywordGroup::Base,
+        KeywordGroup::Load,
+        KeywordGroup::Spring,
+    ];
+
+    /// Returns the name of its module.
+    pub fn module(self) -> &'static str {
+        match self {
+            KeywordGroup::Kinds => "kinds",
+            KeywordGroup::Settings => "settings",
+            KeywordGroup::Body => "body",
+            KeywordGroup::Hinge => "hinge",
+            KeywordGroup::Units => "units",
+            KeywordGroup::Base => "base",
+            KeywordGroup::Load => "load",
+            KeywordGroup::Spring => "spring",
+        }
+    }
+
+    /// Returns whether no other such group has the same names.
+    pub fn has_unique_names(self) -> bool {
+        !matches!(self, KeywordGroup::Base | KeywordGroup::Load | KeywordGroup::Spring)
+    }
 }

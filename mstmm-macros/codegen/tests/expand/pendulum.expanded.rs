@@ -776,12 +776,31 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
 }
 const _: () = {
     #[allow(dead_code)]
-    fn elements<T: ::mstmm::Scalar>() {
+    fn methods<T: ::mstmm::Scalar>() {
         let _ = PendulumWorkspace::<T>::joint;
+        let _ = PendulumParameters::<T>::payload;
     }
 };
 #[allow(dead_code, non_camel_case_types, clippy::all)]
 const _: () = {
     struct Rod;
     const _: Rod = Rod;
+    use ::mstmm::keywords::unique::*;
+    type Keywords_ = (
+        pin,
+        gravity,
+        mass,
+        com,
+        inertia,
+        start,
+        torque,
+        m,
+        s,
+        kg,
+        kg,
+        m,
+        kg,
+        m,
+        deg,
+    );
 };

@@ -12,6 +12,7 @@ mod element;
 mod fields;
 mod hinge;
 mod inertia;
+mod keyword_uses;
 mod load;
 mod load_ends;
 mod names;
@@ -37,6 +38,8 @@ pub(super) use draft::Draft;
 pub(super) use fields::Fields;
 pub(crate) use fields::listed;
 pub(super) use hinge::{FieldNames, KINDS, groups};
+#[cfg(test)]
+pub(super) use keyword_uses::keywords as keywords_of;
 pub(super) use parts::{ItemName, WrittenOut, WrittenRepeat, WrittenRoute, write_out};
 pub(super) use place::{POINTS, PlacePoint, example_place, places_of};
 pub(super) use route_item::RouteItem;
@@ -75,7 +78,7 @@ pub(super) fn draft<'a>(
     let (loads, springs) = load::loads(resolved, &seeds, &mut context);
     start::warn_of_unused(resolved, &seeds, &mut context);
     parts::warn_of_unused(def, &mut context);
-    let references = references::references(resolved);
+    let references = references::references(def, resolved);
     let requirements = std::mem::take(&mut context.requirements);
     let passthrough = Passthrough {
         visibility: def.visibility.clone(),

@@ -4,13 +4,14 @@ use proc_macro2::Ident;
 use std::collections::HashSet;
 
 use super::body;
+use super::keyword_uses;
 use super::place::Resolved;
 use super::route_item::RouteItem;
-use crate::syntax::{BlockKeyword, References, ValueSyntax};
+use crate::syntax::{BlockKeyword, ChainSyntax, References, ValueSyntax};
 
-/// Returns all names of elements in blocks after the route, and all names of body types. Of the instances of a
-/// part, only the first is used.
-pub(super) fn references(resolved: Resolved) -> References {
+/// Returns all names of elements in blocks after the route, all names of body types, and all keywords and uses
+/// of parameters. Of the instances of a part, only the first is used.
+pub(super) fn references(def: &ChainSyntax, resolved: Resolved) -> References {
     let Resolved { written, items, names, types } = resolved;
     let mut parts: HashSet<String> = HashSet::new();
     let scopes = written
@@ -25,8 +26,7 @@ pub(super) fn references(resolved: Resolved) -> References {
         let name = item.name().filter(|_| is_element)?;
         Some(with_span(&name.joined, path.last()?))
     };
-    let mut references =
-        References { elements: Vec::new(), types: Vec::new(), uses_of_types: Vec::new() };
+    let mut references = References::default();
     for block in blocks.filter(|block| !body::is_type(&block.syntax)) {
         let (scope, block) = (block.scope, &*block.syntax);
         if matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
@@ -55,6 +55,7 @@ pub(super) fn references(resolved: Resolved) -> References {
         _ => None,
     });
     references.uses_of_types = used.collect();
+    (references.keywords, references.parameters) = keyword_uses::of_chain(def);
     references
 }
 

@@ -107,6 +107,16 @@ pub(super) fn is_symbol(symbol: &str) -> bool {
     find(symbol).is_some()
 }
 
+/// Returns all symbols, with prefixes and without.
+pub(super) fn symbols() -> Vec<String> {
+    let plain = SYMBOLS.iter().map(|unit| unit.symbol.to_owned());
+    let prefixed = SYMBOLS
+        .iter()
+        .filter(|unit| unit.takes_prefix)
+        .flat_map(|unit| PREFIXES.iter().map(|(prefix, _)| format!("{prefix}{}", unit.symbol)));
+    plain.chain(prefixed).collect()
+}
+
 /// Names of units and their symbols.
 const NAMES: &[(&str, &str)] = &[
     ("metre", "m"),

@@ -15,6 +15,7 @@ mod errors_in_trees;
 mod errors_in_words;
 mod errors_of_parts;
 mod grammar;
+mod keywords;
 mod no_follow_up_errors;
 mod parts;
 mod rules;
