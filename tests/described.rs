@@ -1,5 +1,7 @@
 //! `Described`: names, units, starts and inertia compared with what accessors, setters and states say.
 
+#[path = "described/answers.rs"]
+mod answers;
 #[path = "described/inertia.rs"]
 mod inertia;
 #[path = "described/lists.rs"]

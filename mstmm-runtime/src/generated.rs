@@ -2,6 +2,7 @@
 //!
 //! They are not part of the public interface and may change with every version.
 
+pub mod answers;
 mod columns;
 pub mod description;
 mod linkage;

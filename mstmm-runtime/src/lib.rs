@@ -130,7 +130,7 @@ mod trig;
 
 pub use body::{BodyResult, HasCom, HasOutput, OptionalPoints};
 pub use chain::{Chain, ChainState, GeneratedChain};
-pub use description::{Described, Description};
+pub use description::{Answers, Described, Description};
 pub use dual::Dual;
 pub use energy::Energy;
 pub use error::Error;
@@ -142,8 +142,8 @@ pub use hinge::{
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
 pub use kinematics::{
-    BodyKinematics, BodyMotion, HasJacobian, LineMotion, NoColumns, PlaneMotion, PointKinematics,
-    RateColumns, SpaceMotion,
+    BodyKinematics, BodyMotion, FrameMotion, HasJacobian, LineMotion, NoColumns, PlaneMotion,
+    PointKinematics, RateColumns, SpaceMotion,
 };
 pub use linearization::{InverseDynamicsDerivatives, Linearization};
 pub use loop_closure::LoopClosure;

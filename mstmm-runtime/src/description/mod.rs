@@ -34,6 +34,7 @@
 //! workspace. Hinges, bodies and springs are in the order of the text. A repeated part is in the order of its
 //! repetitions: all of the first one, then all of the second one, and so on.
 
+mod answers;
 mod body;
 mod described;
 mod hinge;
@@ -47,6 +48,7 @@ mod shape;
 mod table;
 mod values;
 
+pub use answers::{Answer, AnswerPart, Answers, BodyFrame};
 #[doc(hidden)]
 pub use body::WrittenInertia;
 pub use body::{Body, BodyInertia};

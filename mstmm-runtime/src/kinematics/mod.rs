@@ -5,6 +5,7 @@
 
 mod body;
 mod columns;
+mod frame;
 mod inertia;
 mod line;
 mod plane;
@@ -13,6 +14,7 @@ mod space;
 
 pub use body::BodyKinematics;
 pub use columns::{HasJacobian, NoColumns, RateColumns, RateRun};
+pub use frame::{FrameMotion, JacobianSlice};
 pub use inertia::{inverse_of_positive, inverse_operational_space_inertia};
 pub use line::LineMotion;
 pub use plane::PlaneMotion;

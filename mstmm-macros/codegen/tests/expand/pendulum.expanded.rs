@@ -774,6 +774,41 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
         }
     }
 }
+#[allow(clippy::all, unused_imports, unused_variables)]
+impl<T: ::mstmm::Scalar> ::mstmm::Answers for Pendulum<T> {
+    const DYNAMIC_PARAMETERS: ::core::primitive::usize = 0;
+    const FRAMES_: &'static [&'static [&'static ::core::primitive::str]] = &[
+        &["input", "com"],
+    ];
+    fn answer(
+        &self,
+        answer_: ::mstmm::description::Answer,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        given_: &[T],
+        result_: &mut [T],
+    ) -> ::core::option::Option<::core::result::Result<(), ::mstmm::Error>> {
+        use ::mstmm::generated::answers::*;
+        match answer_ {
+            _ => ::core::option::Option::None,
+        }
+    }
+    fn has(answer_: ::mstmm::description::Answer) -> ::core::primitive::bool {
+        use ::mstmm::generated::answers::*;
+        false
+    }
+    fn motion_(
+        &self,
+        state_: &PendulumState<T>,
+        inputs_: &PendulumInputs<T>,
+        frame_: [::core::primitive::usize; 3],
+        jacobian_: &mut [T],
+    ) -> ::core::option::Option<
+        ::core::result::Result<::mstmm::FrameMotion<T>, ::mstmm::Error>,
+    > {
+        ::core::option::Option::None
+    }
+}
 const _: () = {
     #[allow(dead_code)]
     fn methods<T: ::mstmm::Scalar>() {

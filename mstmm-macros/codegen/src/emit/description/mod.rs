@@ -1,5 +1,6 @@
 //! The description of a chain at run time: the implementation of `Described`.
 
+mod answers;
 mod elements;
 mod inertia;
 mod quantities;
@@ -36,6 +37,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     });
     let tables = tables.iter().map(|(method, rows)| table(method, rows));
     let answers = elements::answers(cx);
+    let by_name = answers::emit(cx);
     let change = inertia::changes(cx);
     let results = results::emit(cx);
     let [copy, parameters] = [values::inputs(cx), values::parameters(cx)];
@@ -53,5 +55,6 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #copy
             #parameters
         }
+        #by_name
     }
 }
