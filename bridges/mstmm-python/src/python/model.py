@@ -1,0 +1,505 @@
+"""The classes of models. The extension runs this text with `Core`, `module_name` and the texts of its submodules."""
+
+import sys
+import types
+
+import numpy as np
+
+
+class Names(tuple):
+    """The names of quantities, in the order of the entries of arrays.
+
+    ``units``, ``starts``, ``limits`` and ``kinds`` have an entry for each name. A start is ``None`` where the
+    description has none, limits are ``None`` or the lowest and the highest value.
+    """
+
+    def __new__(cls, rows):
+        names = super().__new__(cls, (row[0] for row in rows))
+        names.units = tuple(row[1] for row in rows)
+        names.starts = tuple(row[2] for row in rows)
+        names.limits = tuple(row[3] for row in rows)
+        names.kinds = tuple(row[4] for row in rows)
+        return names
+
+    def __reduce__(self):
+        return Names, (list(zip(self, self.units, self.starts, self.limits, self.kinds)),)
+
+    def __repr__(self):
+        width = max((len(name) for name in self), default=0)
+        return "\n".join(f"{name:{width}}  {unit}" for name, unit in zip(self, self.units))
+
+
+# The results at a connection point with their shapes, in the order of the library.
+POINT = [
+    ("position", (3,)),
+    ("orientation", (3, 3)),
+    ("velocity", (3,)),
+    ("angular_velocity", (3,)),
+    ("acceleration", (3,)),
+    ("angular_acceleration", (3,)),
+    ("moment", (3,)),
+    ("force", (3,)),
+]
+
+# The motion of a frame.
+MOTION = POINT[:4] + [("bias_acceleration", (3,)), ("angular_bias_acceleration", (3,))]
+
+
+def _split(raw, first, parts):
+    """Returns views of entries from `first` on, by names and shapes, and the index behind them."""
+    views = {}
+    for name, shape in parts:
+        count = int(np.prod(shape))
+        views[name] = raw[..., first : first + count].reshape(raw.shape[:-1] + shape)
+        first += count
+    return views, first
+
+
+def _as_array(name, value):
+    """Returns an argument that is no array as an array; arrays are checked by the extension."""
+    if value is None or isinstance(value, np.ndarray):
+        return value
+    try:
+        return np.ascontiguousarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name} must be an array of float64: {error}") from None
+
+
+class Model(Core):  # noqa: F821 (set by the extension)
+    """A model of a chain of the library mstmm.
+
+    A state is an array of coordinates, then rates, in the order of `coordinates` and `rates`. Arrays of states have a
+    row for each state. All functions compute all rows, on all cores, without the interpreter's lock. A single state
+    may be an array of one axis; results then have no axis of rows.
+
+    Keyword arguments of the functions: ``threads`` is their number, 0 for all cores; it has no effect on results.
+    ``errors="nan"`` sets the results of states that cannot be computed to NaN; ``"raise"`` raises the library's error with
+    the row.
+    """
+
+    def __init__(self, **parameters):
+        for name, value in parameters.items():
+            self.set(name, value)
+
+    def __repr__(self):
+        cls = type(self)
+        values = ", ".join(f"{name}={self.get(name)!r}" for name in cls.parameters)
+        return f"{cls.__qualname__}({values})" if _plain(cls.parameters) else f"<{cls.__qualname__} {values}>"
+
+    def __copy__(self):
+        copy = type(self)()
+        for index in range(len(type(self).parameters)):
+            copy._set_parameter(index, self._parameter(index))
+        return copy
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
+
+    def __reduce__(self):
+        return _restore, (type(self), [self._parameter(i) for i in range(len(type(self).parameters))])
+
+    def get(self, parameter):
+        """Returns a parameter by its name."""
+        return self._parameter(self._index(parameter))
+
+    def set(self, parameter, value):
+        """Sets a parameter by its name. Raises ValueError with the library's reason if the value is refused."""
+        self._set_parameter(self._index(parameter), float(value))
+
+    def _index(self, parameter):
+        try:
+            return type(self).parameters.index(parameter)
+        except ValueError:
+            known = ", ".join(type(self).parameters) or "none"
+            raise TypeError(f"{type(self).__qualname__} has no parameter {parameter!r}; its parameters: {known}") from None
+
+    @property
+    def nx(self):
+        """The number of entries of a state."""
+        return len(self.coordinates) + len(self.rates)
+
+    def initial(self, rows=None):
+        """Returns the state at the start of the description: an array of one axis, or of ``rows`` equal rows."""
+        start = self._start()
+        return start if rows is None else np.tile(start, (rows, 1))
+
+    def rollout(self, x, inputs=None, h=1e-3, n=1, *, every=1, method="rk4", threads=0, errors="raise"):
+        """Returns the states over ``n`` steps of ``h`` seconds, from ``x`` on.
+
+        The result has the shape (rows, n // every + 1, nx): the start, then one state after every ``every`` steps. Inputs
+        have the shape (nu,), (rows, nu) or, for each step, (rows, n, nu). They are held over a step.
+        """
+        x, inputs = _as_array("x", x), _as_array("inputs", inputs)
+        if x.ndim == 1 and inputs is not None and inputs.ndim == 2:
+            inputs = inputs[None]
+        raw = self._rollout(x, inputs, h, n, every, method, threads, errors)
+        return raw.reshape(x.shape[:-1] + (-1, self.nx))
+
+    def accelerations(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the accelerations of all rates (forward dynamics), in the order of `rates`."""
+        x = _as_array("x", x)
+        raw = self._accelerations(x, _as_array("inputs", inputs), threads, errors)
+        return raw.reshape(x.shape[:-1] + (len(self.rates),))
+
+    def energy(self, x, *, threads=0, errors="raise"):
+        """Returns kinetic and potential energy in J."""
+        x = _as_array("x", x)
+        raw = self._energies(x, threads, errors).reshape(x.shape[:-1] + (2,))
+        return raw[..., 0], raw[..., 1]
+
+    def assemble(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the states next to ``x`` that satisfy the loop constraints of a closed chain."""
+        x = _as_array("x", x)
+        return self._assemble(x, _as_array("inputs", inputs), threads, errors).reshape(x.shape)
+
+    def solve(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns accelerations, efforts, energies and the results at all connection points.
+
+        The result is a dict with the keys ``accelerations``, ``efforts``, ``kinetic_energy``, ``potential_energy`` and
+        ``points``. ``points`` is a dict by the names in `points`; each entry is a dict of arrays: ``position`` in m,
+        ``orientation`` (rotation matrices from the point's frame to the inertial frame), ``velocity``,
+        ``angular_velocity``, ``acceleration``, ``angular_acceleration``, and the internal ``moment`` in N m, which acts
+        on the inboard element, and ``force`` in N, which acts on the outboard element; all in the inertial frame. What
+        the chain's setting ``results`` omits is NaN.
+        """
+        x = _as_array("x", x)
+        raw = self._solve(x, _as_array("inputs", inputs), threads, errors)
+        raw = raw.reshape(x.shape[:-1] + (-1,))
+        parts = [("accelerations", (len(self.rates),)), ("efforts", (len(self.efforts),))]
+        solution, first = _split(raw, 0, parts + [("kinetic_energy", ()), ("potential_energy", ())])
+        solution["points"] = {}
+        for name in self.points:
+            solution["points"][name], first = _split(raw, first, POINT)
+        return solution
+
+    def kinematics(self, frame, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the motion of a frame on a body at zero accelerations, without dynamics, as a dict of arrays.
+
+        A frame is a body and one of its points, such as ``"hand.output"``; `frames` lists all.
+        """
+        self._needs("kinematics", "jacobian")
+        motion, _ = self._frame(frame, 0, x, inputs, threads, errors)
+        return motion
+
+    def jacobian(self, frame, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the Jacobian of a frame in the inertial frame: rows velocity, then angular velocity."""
+        self._needs("jacobian")
+        rows = {"space": 6, "plane": 3, "line": 1}[self.dimension]
+        _, jacobian = self._frame(frame, rows, x, inputs, threads, errors)
+        return jacobian
+
+    def _frame(self, frame, rows, x, inputs, threads, errors):
+        x = _as_array("x", x)
+        if frame not in self.frames:
+            raise ValueError(f"no frame {frame!r}; the frames are {', '.join(self.frames)}")
+        raw = self._motion(self._frame_places[frame], rows, x, _as_array("inputs", inputs), threads, errors)
+        raw = raw.reshape(x.shape[:-1] + (-1,))
+        motion, first = _split(raw, 0, MOTION)
+        jacobian = raw[..., first:].reshape(raw.shape[:-1] + (len(self.rates), rows))
+        return motion, np.swapaxes(jacobian, -1, -2)
+
+    def _needs(self, *keywords):
+        if not any(keyword in self.answers for keyword in keywords):
+            raise NotImplementedError(
+                f"the chain's setting `answers` omits `{keywords[0]}`: write `answers = [..., {keywords[0]}];` in the chain"
+            )
+
+    def _compute(self, number, x, inputs, given, threads, errors):
+        name, keyword, is_there, given_len, parts = self._methods[number]
+        if not is_there:
+            if keyword in self.answers:
+                raise NotImplementedError(f"a closed chain does not have `{name}`")
+            self._needs(keyword)
+        x, given = _as_array("x", x), _as_array("the given values", given)
+        shape = x.shape[:-1]
+        if given is not None:
+            if given.ndim == 1 and given.shape == (given_len,):
+                given = np.broadcast_to(given, shape + (given_len,))
+            given = np.ascontiguousarray(given)
+            if given.shape != shape + (given_len,):
+                raise ValueError(f"the given values must have the shape {shape + (given_len,)}, not {given.shape}")
+        raw = self._answer(number, x, _as_array("inputs", inputs), given, threads, errors)
+        raw, first, results = raw.reshape(shape + (-1,)), 0, {}
+        for part, rows, columns in parts:
+            count = rows * (1 if columns is None else columns)
+            value = raw[..., first : first + count]
+            if columns is not None:
+                value = np.swapaxes(value.reshape(shape + (columns, rows)), -1, -2)
+            results[part], first = value[..., 0] if part == "mass" else value, first + count
+        return results[""] if list(results) == [""] else types.SimpleNamespace(**results)
+
+    def _direction(self, coordinates, rates, inputs, parameters, shape):
+        parts = [(coordinates, len(self.rates)), (rates, len(self.rates))]
+        parts += [(inputs, len(self.inputs)), (parameters, len(self.parameters))]
+        zeros = [np.zeros(shape + (count,)) if part is None else np.asarray(part, np.float64) for part, count in parts]
+        return np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]) for part in zeros], axis=-1)
+
+    def bias_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the efforts that keep all rates constant: inverse dynamics at zero accelerations."""
+        return self._compute(0, x, inputs, None, threads, errors)
+
+    def inverse_dynamics(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
+        """Returns the efforts that the drives must supply for given accelerations."""
+        return self._compute(1, x, inputs, accelerations, threads, errors)
+
+    def gravity_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the efforts that balance gravity at rest."""
+        return self._compute(2, x, inputs, None, threads, errors)
+
+    def passive_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the efforts of springs, dampers, friction and stops."""
+        return self._compute(3, x, inputs, None, threads, errors)
+
+    def mass_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the mass matrix."""
+        return self._compute(4, x, inputs, None, threads, errors)
+
+    def inverse_mass_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the inverse of the mass matrix."""
+        return self._compute(5, x, inputs, None, threads, errors)
+
+    def mass_matrix_times(self, x, vector, inputs=None, *, threads=0, errors="raise"):
+        """Returns the product of the mass matrix with a vector, without the matrix."""
+        return self._compute(6, x, inputs, vector, threads, errors)
+
+    def inverse_mass_matrix_times(self, x, vector, inputs=None, *, threads=0, errors="raise"):
+        """Returns the product of the inverse of the mass matrix with a vector, without the matrix."""
+        return self._compute(7, x, inputs, vector, threads, errors)
+
+    def inverse_dynamics_derivatives(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
+        """Returns the derivatives of inverse dynamics: ``by_coordinates``, ``by_rates``, ``by_accelerations``."""
+        return self._compute(8, x, inputs, accelerations, threads, errors)
+
+    def linearize(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the accelerations and their derivatives; ``a`` and ``b`` are the matrices of ẋ = a x + b u.
+
+        Coordinates change along the rates, so ``a`` has one row for each rate in its upper half.
+        """
+        return self._compute(9, x, inputs, None, threads, errors)
+
+    def push(self, x, inputs=None, *, d_coordinates=None, d_rates=None, d_inputs=None, d_parameters=None, threads=0, errors="raise"):
+        """Returns ``accelerations`` and their ``change`` along a direction (a product of their Jacobian with a vector).
+
+        Changes of the coordinates are along the rates.
+        """
+        x = _as_array("x", x)
+        direction = self._direction(d_coordinates, d_rates, d_inputs, d_parameters, x.shape[:-1])
+        return self._compute(10, x, inputs, direction, threads, errors)
+
+    def pull(self, x, weights, inputs=None, *, threads=0, errors="raise"):
+        """Returns ``accelerations`` and the gradient of their sum with ``weights`` (a product of a vector with their
+        Jacobian): ``coordinates``, along the rates, ``rates``, ``inputs`` and ``parameters``."""
+        return self._compute(11, x, inputs, weights, threads, errors)
+
+    def regressor(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
+        """Returns the matrix that maps the dynamic parameters to efforts, for given accelerations."""
+        return self._compute(12, x, inputs, accelerations, threads, errors)
+
+    def dynamic_parameters(self):
+        """Returns the dynamic parameters: masses, first moments, inertias, and those of hinges."""
+        return self._compute(13, self.initial(), None, None, 1, "raise")
+
+    def momentum(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns ``mass``, ``center_of_mass``, ``linear`` momentum and ``angular`` momentum about the centre of mass."""
+        return self._compute(14, x, inputs, None, threads, errors)
+
+    def momentum_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the matrix that maps rates to linear and angular momentum."""
+        return self._compute(15, x, inputs, None, threads, errors)
+
+
+def _plain(names):
+    return all(name.isidentifier() for name in names)
+
+
+def _restore(cls, values):
+    model = cls()
+    for index, value in enumerate(values):
+        model._set_parameter(index, value)
+    return model
+
+
+def _property(index, name, unit, default):
+    def get(self):
+        return self._parameter(index)
+
+    def set(self, value):
+        self._set_parameter(index, value)
+
+    start = "" if default is None else f"; its default is {default:g}"
+    return property(get, set, doc=f"The parameter `{name}` in {unit}{start}.")
+
+
+def _docs(description):
+    lines = [description["docs"].strip() or f"The chain {description['name']}.", ""]
+    for key in ("coordinates", "rates", "inputs", "parameters"):
+        rows = description[key]
+        if rows and len(rows) <= 64:
+            lines += [f"{key.capitalize()}:", *(f"    {row[0]} in {row[1]}" for row in rows), ""]
+        elif rows:
+            lines += [f"{key.capitalize()}: {len(rows)}, see `{key}`.", ""]
+    return "\n".join(lines)
+
+
+def _make(module, maker):
+    description = maker.describe()
+    body = {
+        "__doc__": _docs(description),
+        "__module__": module.__name__,
+        "_maker": maker,
+        "_methods": description["methods"],
+        "name": description["name"],
+        "dimension": description["dimension"],
+        "answers": tuple(description["answers"]),
+        "points": tuple(description["points"]),
+        "hinges": tuple(description["hinges"]),
+        "lanes": description["lanes"],
+    }
+    for key in ("coordinates", "rates", "inputs", "parameters"):
+        body[key] = Names(description[key])
+    # These names are methods or free of units in the tables above.
+    body["efforts"] = Names(description["efforts"])
+    places = {}
+    for number, (body_name, frames) in enumerate(description["bodies"]):
+        for frame in frames:
+            places[f"{body_name}.{frame}"] = (number, frame)
+    body["frames"], body["_frame_places"] = tuple(places), places
+    for index, (name, unit, start, _, _) in enumerate(description["parameters"]):
+        if name.isidentifier() and not hasattr(Model, name) and name not in body:
+            body[name] = _property(index, name, unit, start)
+    return type(description["name"], (Model,), body)
+
+
+# The methods of answers in the stubs: arguments and type of the result.
+_ARRAY = "Array"
+
+
+def stubs(module):
+    """Returns the text of the module's type stubs."""
+    lines = [
+        '"""Models of the library mstmm. Written from their descriptions."""',
+        "",
+        "from collections.abc import Mapping",
+        "from typing import Any, Literal, TypedDict",
+        "import numpy as np",
+        "from numpy.typing import ArrayLike, NDArray",
+        "",
+        "Array = NDArray[np.float64]",
+        "",
+        "class Names(tuple[str, ...]):",
+        "    units: tuple[str, ...]",
+        "    starts: tuple[float | None, ...]",
+        "    limits: tuple[tuple[float, float] | None, ...]",
+        "    kinds: tuple[str, ...]",
+        "",
+        "class Point(TypedDict):",
+        *(f"    {name}: Array" for name, _ in POINT),
+        "",
+        "class Motion(TypedDict):",
+        *(f"    {name}: Array" for name, _ in MOTION),
+        "",
+        "class Solution(TypedDict):",
+        *(f"    {name}: Array" for name in ("accelerations", "efforts", "kinetic_energy", "potential_energy")),
+        "    points: dict[str, Point]",
+        "",
+    ]
+    models = [value for value in vars(module).values() if isinstance(value, type) and issubclass(value, Model) and value is not Model]
+    parts = {}
+    for model in models:
+        for name, _, is_there, _, of in model._methods:
+            if is_there and of[0][0]:
+                parts[name] = [part for part, _, _ in of]
+    for name, fields in parts.items():
+        lines += [f"class {_result(name)}:", *(f"    {field}: Array" for field in fields), ""]
+    lines += _stub_of(Model, parts, None)
+    for model in models:
+        lines += _stub_of(model, parts, model)
+    return "\n".join(lines) + "\n"
+
+
+def _result(name):
+    return "".join(word.capitalize() for word in name.split("_")) + "Result"
+
+
+_HOW = 'threads: int = 0, errors: Literal["raise", "nan"] = "raise"'
+_METHOD = 'method: Literal["rk4", "semi_implicit_euler", "linearly_implicit_euler"] = "rk4"'
+
+
+def _quoted(text, indent):
+    lines = (text or "").strip().splitlines()
+    body = [(indent + line.strip()).rstrip() for line in lines[1:]]
+    escaped = [line.replace("\\", "\\\\").replace('"""', "'''") for line in lines[:1] + body]
+    return [f'{indent}"""{escaped[0]}' + ('"""' if len(escaped) == 1 else "")] + escaped[1:] + ([f'{indent}"""'] if len(escaped) > 1 else [])
+
+
+def _stub_of(cls, parts, model):
+    indent = "    "
+    if model is None:
+        lines = ["class Model:", *_quoted(Model.__doc__, indent)]
+        for name in ("coordinates", "rates", "efforts", "inputs", "parameters"):
+            lines.append(f"    {name}: Names")
+        lines += ["    name: str", "    dimension: str", "    answers: tuple[str, ...]", "    points: tuple[str, ...]"]
+        lines += ["    frames: tuple[str, ...]", "    hinges: tuple[tuple[str, str, bool], ...]", "    lanes: int"]
+        lines += ["    @property", "    def nx(self) -> int: ..."]
+        lines += ["    def get(self, parameter: str) -> float: ...", "    def set(self, parameter: str, value: float) -> None: ..."]
+        lines += ["    def initial(self, rows: int | None = None) -> Array: ..."]
+        state = "x: ArrayLike, inputs: ArrayLike | None = None"
+        lines += [f"    def step(self, x: Array, inputs: Array | None = None, h: float = 1e-3, n: int = 1, *, {_METHOD}, {_HOW}) -> None: ..."]
+        lines += [f"    def rollout(self, {state}, h: float = 1e-3, n: int = 1, *, every: int = 1, {_METHOD}, {_HOW}) -> Array: ..."]
+        lines += [f"    def accelerations(self, {state}, *, {_HOW}) -> Array: ..."]
+        lines += [f"    def energy(self, x: ArrayLike, *, {_HOW}) -> tuple[Array, Array]: ..."]
+        lines += [f"    def assemble(self, {state}, *, {_HOW}) -> Array: ..."]
+        lines += [f"    def solve(self, {state}, *, {_HOW}) -> Solution: ...", ""]
+        return lines
+    lines = [f"class {model.name}(Model):", *_quoted(model.__doc__, indent)]
+    plain = [name for name in model.parameters if isinstance(getattr(model, name, None), property)]
+    arguments = "".join(f", {name}: float = ..." for name in plain)
+    arguments = f", *{arguments}" if arguments else ""
+    lines.append(f"    def __init__(self{arguments}) -> None: ...")
+    for name in plain:
+        lines += ["    @property", f"    def {name}(self) -> float:", *_quoted(getattr(model, name).__doc__, indent * 2)]
+        lines += [f"    @{name}.setter", f"    def {name}(self, value: float) -> None: ..."]
+    after = f"inputs: ArrayLike | None = None, *, {_HOW}"
+    for name, _, is_there, given, _ in model._methods:
+        if not is_there:
+            continue
+        returns = _result(name) if name in parts else "Array"
+        if name == "dynamic_parameters":
+            arguments = ""
+        elif name == "push":
+            changes = ", ".join(f"d_{part}: ArrayLike | None = None" for part in ("coordinates", "rates", "inputs", "parameters"))
+            arguments = f", x: ArrayLike, inputs: ArrayLike | None = None, *, {changes}, {_HOW}"
+        elif given:
+            argument = {"pull": "weights"}.get(name, "vector" if name.endswith("times") else "accelerations")
+            arguments = f", x: ArrayLike, {argument}: ArrayLike, {after}"
+        else:
+            arguments = f", x: ArrayLike, {after}"
+        lines += [f"    def {name}(self{arguments}) -> {returns}:", *_quoted(getattr(Model, name).__doc__, indent * 2)]
+    if {"kinematics", "jacobian"} & set(model.answers):
+        lines.append(f"    def kinematics(self, frame: str, x: ArrayLike, {after}) -> Motion: ...")
+    if "jacobian" in model.answers:
+        lines.append(f"    def jacobian(self, frame: str, x: ArrayLike, {after}) -> Array: ...")
+    return lines + [""]
+
+
+def fill(module, makers):
+    """Adds a class for each maker, and the submodules."""
+    module.Model, module.Names = Model, Names
+    Model.__module__ = Names.__module__ = module.__name__
+    _restore.__module__ = module.__name__
+    module._restore = _restore
+    for maker in makers:
+        model = _make(module, maker)
+        setattr(module, model.name, model)
+    module.__all__ = [name for name in vars(module) if not name.startswith("_")]
+    module._stubs = lambda: stubs(module)
+    for name, text in (("environment", environment_text), ("gradients", gradients_text)):  # noqa: F821
+        # A class or a function of these names has the package's own errors if its library is not installed.
+        submodule = types.ModuleType(f"{module.__name__}.{name}")
+        exec(compile(text, f"<{module.__name__}.{name}>", "exec"), submodule.__dict__)
+        setattr(module, name, submodule)
+        sys.modules[submodule.__name__] = submodule
+        # The package of maturin has the extension of the same name inside.
+        package = module.__name__.split(".")[0]
+        sys.modules.setdefault(f"{package}.{name}", submodule)
+        module.__all__.append(name)
