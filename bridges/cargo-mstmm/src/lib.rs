@@ -5,5 +5,6 @@ pub mod export;
 pub mod import;
 pub mod messages;
 pub mod new;
+pub mod python;
 pub mod source;
 pub mod unclosed;

@@ -1,6 +1,6 @@
 //! `cargo mstmm`: see the readme.
 
-use cargo_mstmm::commands::{check, export, import, new, show};
+use cargo_mstmm::commands::{check, export, import, new, python, show};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -26,6 +26,7 @@ enum Command {
     Show(show::Show),
     Import(import::Import),
     Export(export::Export),
+    Python(python::Python),
 }
 
 fn main() -> ExitCode {
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         Command::Show(arguments) => show::run(arguments),
         Command::Import(arguments) => import::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Python(arguments) => python::run(arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

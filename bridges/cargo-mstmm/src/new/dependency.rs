@@ -50,6 +50,16 @@ impl Dependency {
         format!("{{ {key} = {} }}", quoted(&value))
     }
 
+    /// Returns the value of the key of a crate of the repository, in a folder of it, with features in quotes.
+    #[must_use]
+    pub fn with_features(&self, folder: &str, features: &str) -> String {
+        let (key, value) = match self {
+            Dependency::Folder(path) => ("path", path.join(folder).display().to_string()),
+            _ => self.entry(),
+        };
+        format!("{{ {key} = {}, features = [{features}] }}", quoted(&value))
+    }
+
     /// Returns the value of its key in `Cargo.toml` without the feature `std`.
     #[must_use]
     pub fn without_std(&self) -> String {
