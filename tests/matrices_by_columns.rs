@@ -1,13 +1,16 @@
 //! Matrices of chains with repeated parts, which are computed column by column, against the same chains written out.
 
+#[path = "matrices_by_columns/bits.rs"]
+mod bits;
+
 use mstmm::nalgebra::{SMatrix, SVector};
-use mstmm::{Columns, Error, Scalar, mstmm_chain};
+use mstmm::{Error, Scalar, mstmm_chain};
 
 macro_rules! arm {
     ($name:ident, $($route:tt)*) => {
         mstmm_chain! {
             chain $name {
-                answers = [mass_matrix, derivatives, linearize, push, regressor];
+                answers = [mass_matrix, derivatives, linearize, regressor];
                 gravity = [0, -9.8, 1] m/s^2;
                 param mass = 1.3 kg;
                 body Rod {
@@ -121,39 +124,6 @@ fn columns_are_those_of_the_chain_written_out() -> Result<(), Error> {
 #[test]
 fn columns_are_those_of_the_chain_written_out_in_single_precision() -> Result<(), Error> {
     check::<f32>()
-}
-
-/// Columns that are computed side by side have the bits of products with one vector.
-fn check_bits<T: Scalar<Real = T, Mask = bool> + PartialOrd>() -> Result<(), Error> {
-    let rope = Rope::<T>::new();
-    let (state, _) = states::<T>();
-    let mut given = rope.no_inputs();
-    given.a[1] = T::constant(0.7);
-    let mut found = RopeLinearization::default();
-    rope.linearize_into(&state, &given, &mut found)?;
-    let [mut accelerations, mut change] = [SVector::from_fn(|_, _| T::constant(0.0)); 2];
-    for column in 0..RATES {
-        let mut direction = RopeVariation::default();
-        direction.coordinates[column] = T::constant(1.0);
-        rope.push_into(&state, &given, &direction, &mut accelerations, &mut change)?;
-        assert_eq!(found.by_coordinates.column(column), change, "coordinate {column}");
-        let mut direction = RopeVariation::default();
-        direction.rates[column] = T::constant(1.0);
-        rope.push_into(&state, &given, &direction, &mut accelerations, &mut change)?;
-        assert_eq!(found.by_rates.column(column), change, "rate {column}");
-        let unit = SVector::from_fn(|row, _| T::constant(f64::from(row == column)));
-        rope.inverse_mass_matrix_times_into(&state, &given, &unit, &mut change)?;
-        assert_eq!(found.inverse_mass_matrix.column(column), change, "column {column} of M⁻¹");
-    }
-    assert_eq!(found.accelerations, accelerations);
-    Ok(())
-}
-
-#[test]
-fn columns_have_the_bits_of_single_products() -> Result<(), Error> {
-    assert!(<<f64 as Scalar>::Columns as Columns<f64>>::COUNT > 1, "the tests have lanes");
-    check_bits::<f64>()?;
-    check_bits::<f32>()
 }
 
 #[test]

@@ -1,0 +1,139 @@
+//! Columns that are computed side by side have the bits of products with one vector, for every hinge, end and load.
+
+use mstmm::nalgebra::SVector;
+use mstmm::{Columns, Error, Scalar, mstmm_chain};
+
+mstmm_chain! {
+    chain Kinds {
+        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        gravity = input;
+        param extra = 0.2 kg;
+        param bend = 0.3;
+        body Rod {
+            mass = 1 kg + extra;
+            com = [0.3, 0.1, 0] m;
+            output = [0.6 m, 0 m, 0.2 m] turned rpy(0.3, bend, 0.1);
+            inertia = tensor(0.1, 0.12, 0.09, 0.01, 0.02, -0.01) kg*m^2 about com;
+            point tip = [0.2, 0.5, -0.1] m;
+        }
+        body Cube {
+            mass = 2 kg;
+            com = [0.1, -0.1, 0.2] m;
+            output = [0, 0.4, 0] m;
+            inertia = diag(0.3, 0.4, 0.5) kg*m^2 about input;
+        }
+        moving deck -> repeat 2 { pin([1, 2, 3]) a -> Rod b -> slider(y) c -> Cube d
+            -> screw(x, 5 cm/rev) e -> Rod f } -> floating g -> Cube h
+            -> repeat 3 { cylindrical(y) i -> Rod j -> universal(x, [1, 0, 2]) k -> Cube l }
+            -> elastic m -> Rod n -> planar(z) o -> Cube p -> weld fixed -> Rod r -> ball wrist -> Cube hand;
+        h.output -> pin(x) side -> Rod arm -> pin(y) told -> Rod finger;
+        hinge a {
+            rest = 0.2; stiffness = 30; damping = 0.5; armature = 0.2 kg*m^2; friction = 0.4 N*m;
+            friction_speed = 0.1 rad/s; limits = [-0.5, 0.4] rad; limit_stiffness = 200;
+            limit_damping = 2; torque = -3 N*m;
+        }
+        hinge told { motion = input; }
+        hinge i { force = input; torque = 2 N*m; }
+        hinge m { stiffness = 100; turning_stiffness = [2, 3, 4]; }
+        hinge wrist { rest = rpy(10, 20, 30) deg; stiffness = 20; damping = 0.3; torque = input; }
+        load p1 { on = j; at = tip; force = input; }
+        load p2 { on = hand; force = input; torque = input; }
+        spring s { on = arm.output; to = hand.output; stiffness = 30 * bend; length = 0.4 m; damping = 2; }
+        spring cord { on = b.output; to = [0, 1, 2] m; stiffness = 30 * bend; length = 0.4 m; }
+    }
+}
+
+mstmm_chain! {
+    plane chain Swing {
+        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        gravity = [1, -9.8] m/s^2;
+        body Rod {
+            mass = 1 kg; com = [0.3, 0.1] m; output = [0.6, 0.1] m turned 20 deg; inertia = 0.1 kg*m^2 about com;
+        }
+        ground -> repeat 5 { pin a -> Rod b -> slider c -> Rod d } -> planar e -> Rod f;
+        hinge a { torque = input; damping = 0.1; friction = 0.2; friction_speed = 0.3; }
+    }
+}
+
+mstmm_chain! {
+    line chain Train {
+        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        gravity = 1 m/s^2;
+        body Car { mass = 3 kg; output = 1 m; }
+        ground -> repeat 7 { slider a -> Car b };
+        hinge a { force = input; stiffness = 3; damping = 0.1; limits = [-0.1, 0.1] m; limit_stiffness = 50; }
+    }
+}
+
+/// Compares all matrices of a chain with products with one vector, which have a single column.
+macro_rules! compare {
+    ($name:ident, $chain:ident, $variation:ident, $linearization:ident, $derivatives:ident) => {
+        fn $name<T: Scalar>() -> Result<(), Error> {
+            let number = |k: usize| T::constant(0.3 - 0.17 * ((k * k) % 7) as f64);
+            let chain = $chain::<T>::new();
+            let mut state = chain.initial_state();
+            state.q.iter_mut().enumerate().for_each(|(k, q)| *q += T::constant(0.3) * number(k));
+            state.v.iter_mut().enumerate().for_each(|(k, v)| *v = number(k + 3));
+            mstmm::Chain::normalize(&chain, &mut state);
+            let inputs = chain.no_inputs();
+            let zero = state.v.map(|_| T::constant(0.0));
+            let (mut accelerations, mut change) = (zero, zero);
+            let mut found = $linearization::<T>::default();
+            chain.linearize_into(&state, &inputs, &mut found)?;
+            macro_rules! along {
+                ($field:ident, $matrix:ident) => {
+                    for (index, column) in found.$matrix.column_iter().enumerate() {
+                        let mut direction = $variation::<T>::default();
+                        direction.$field[index] = T::constant(1.0);
+                        chain.push_into(
+                            &state,
+                            &inputs,
+                            &direction,
+                            &mut accelerations,
+                            &mut change,
+                        )?;
+                        assert_eq!(column, change, "{} {index}", stringify!($field));
+                        assert_eq!(found.accelerations, accelerations);
+                    }
+                };
+            }
+            along!(coordinates, by_coordinates);
+            along!(rates, by_rates);
+            along!(inputs, by_inputs);
+            along!(parameters, by_parameters);
+            let mut derivatives = $derivatives::<T>::default();
+            chain.inverse_dynamics_derivatives_into(&state, &zero, &inputs, &mut derivatives)?;
+            for (index, column) in found.inverse_mass_matrix.column_iter().enumerate() {
+                let unit = SVector::from_fn(|row, _| T::constant(f64::from(row == index)));
+                chain.inverse_mass_matrix_times_into(&state, &inputs, &unit, &mut change)?;
+                assert_eq!(column, change, "column {index} of the inverse");
+                chain.mass_matrix_times_into(&state, &inputs, &unit, &mut change)?;
+                assert_eq!(derivatives.by_accelerations.column(index), change, "column {index}");
+            }
+            let parameters = chain.dynamic_parameters();
+            let regressor = chain.regressor(&state, &zero, &inputs)?;
+            for (index, column) in regressor.column_iter().enumerate() {
+                let mut unit = parameters.map(|_| T::constant(0.0));
+                unit[index] = T::constant(1.0);
+                chain.regressor_times_into(&state, &zero, &inputs, &unit, &mut change)?;
+                assert_eq!(column, change, "column {index} of the regressor");
+            }
+            Ok(())
+        }
+    };
+}
+
+compare!(kinds, Kinds, KindsVariation, KindsLinearization, KindsInverseDynamicsDerivatives);
+compare!(swing, Swing, SwingVariation, SwingLinearization, SwingInverseDynamicsDerivatives);
+compare!(train, Train, TrainVariation, TrainLinearization, TrainInverseDynamicsDerivatives);
+
+#[test]
+fn columns_have_the_bits_of_single_products() -> Result<(), Error> {
+    assert!(<<f64 as Scalar>::Columns as Columns<f64>>::COUNT > 1, "the tests have lanes");
+    kinds::<f64>()?;
+    kinds::<f32>()?;
+    swing::<f64>()?;
+    swing::<f32>()?;
+    train::<f64>()?;
+    train::<f32>()
+}
