@@ -12,5 +12,7 @@ mod models;
 mod names;
 #[path = "described/results.rs"]
 mod results;
+#[path = "described/shapes.rs"]
+mod shapes;
 #[path = "described/values.rs"]
 mod values;

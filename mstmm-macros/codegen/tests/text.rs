@@ -14,6 +14,11 @@ fn file(name: &str) -> PathBuf {
 /// Returns the text of one function or of all functions of the chain in a file of `tests/expand`.
 fn show(name: &str, function: Option<&str>) -> Result<String, Vec<&'static str>> {
     let text = std::fs::read_to_string(file(&format!("expand/{name}.chain"))).expect("the chain");
+    show_text(&text, function)
+}
+
+/// Returns the text of one function or of all functions of a chain.
+fn show_text(text: &str, function: Option<&str>) -> Result<String, Vec<&'static str>> {
     let read = mstmm_codegen::read_and_examine(text.parse().expect("tokens"));
     let (chain, findings) = &read.unwrap_or_else(|errors| panic!("{errors}"))[0];
     chain_text(chain, findings, function)
@@ -32,6 +37,19 @@ fn check(name: &str, functions: &[&str]) {
     let changed = text.lines().zip(golden.lines()).position(|(now, then)| now != then);
     assert!(text == golden, "{name}, line {changed:?} from 0: MSTMM_BLESS=1 accepts it");
     assert!(text.lines().count() <= LONGEST, "{name} is too long to be read through");
+}
+
+/// Every function of chains with shapes has the same text as without.
+#[test]
+fn shapes_change_no_function() {
+    for name in ["arm", "rope"] {
+        let text =
+            std::fs::read_to_string(file(&format!("expand/{name}.chain"))).expect("the chain");
+        let shapes = "shape = [sphere(radius = 1) at [1, 2, 3], box([1, 2, 3])]; mass =";
+        let shaped = text.replace("mass =", shapes);
+        assert_ne!(text, shaped);
+        assert_eq!(show_text(&text, None), show_text(&shaped, None), "{name}");
+    }
 }
 
 #[test]

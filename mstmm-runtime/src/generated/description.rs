@@ -16,6 +16,9 @@ pub use crate::description::{
 /// The result of setting a parameter.
 pub type Set_ = Result<(), crate::Error>;
 
+/// The shapes of a body.
+pub type Visuals_ = &'static [Shape];
+
 /// A value that is not known while the chain compiles, or a limit that does not exist.
 pub const NAN_: f64 = f64::NAN;
 

@@ -19,6 +19,7 @@ mod repeat_boundaries;
 mod request;
 mod results;
 mod rules;
+mod shape;
 #[cfg(test)]
 mod tests;
 mod unrolled;
@@ -40,6 +41,7 @@ pub(crate) use lower::listed;
 pub use request::{ANSWER_WORDS, Request};
 pub use results::Results;
 pub use rules::Check;
+pub use shape::{Geometry, Shape};
 pub use value::{Symbol, Value};
 
 use crate::diag::Diagnostics;
@@ -257,6 +259,8 @@ pub struct Body {
     pub output: Frame,
     /// Points with a name, in the order written.
     pub points: Vec<NamedPoint>,
+    /// Its shapes for pictures, in the order written.
+    pub shapes: Vec<Shape>,
     /// Which optional points the description has.
     pub present: PresentPoints,
     /// Its role.

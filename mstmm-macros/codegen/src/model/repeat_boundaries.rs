@@ -110,6 +110,7 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
         points: Vec::new(),
+        shapes: Vec::new(),
         present: PresentPoints::ALL,
         role: Role::RepeatBoundary(boundary),
     });

@@ -1,12 +1,13 @@
 //! `name = value;`
 
 use proc_macro2::Ident;
+use syn::Result;
 
 use super::cursor::Cursor;
 use super::lookahead::{begins_field, point};
 use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
 use super::value::value;
-use super::{attribute, lookahead, other_programs};
+use super::{attribute, lookahead, other_programs, shape};
 use crate::diag::{Diagnostics, nearest};
 
 /// The content of a block.
@@ -62,6 +63,14 @@ pub(super) fn field(name: Ident, input: &mut Cursor, diagnostics: &mut Diagnosti
     Ends::default().field(name, input, diagnostics)
 }
 
+/// Parses the value of a field.
+fn value_of(name: &Ident, input: &mut Cursor) -> Result<ValueSyntax> {
+    if name == "shape" || shape::is_next(input) {
+        return shape::shapes(input).map(ValueSyntax::Shapes);
+    }
+    value(input)
+}
+
 /// State of the recovery from wrong ends of fields.
 #[derive(Default)]
 struct Ends {
@@ -84,11 +93,11 @@ impl Ends {
         let colon = sign.is_err() && input.punct(':').is_some();
         let has_sign = sign.is_ok();
         let value = match sign {
-            Ok(()) => value(input).map(Some),
+            Ok(()) => value_of(&name, input).map(Some),
             // The value may follow anyway, or a type.
             Err(error) if colon => {
                 diagnostics.push(error);
-                Ok(value(input).ok().filter(|_| self.is_end(input)))
+                Ok(value_of(&name, input).ok().filter(|_| self.is_end(input)))
             }
             Err(error) => Err(error),
         };

@@ -22,6 +22,7 @@ mod route;
 mod route_item;
 mod route_tree;
 mod separators;
+mod shape;
 mod tree;
 mod unit;
 mod value;
@@ -30,6 +31,7 @@ pub use lookahead::SETTINGS;
 pub use number::{FORMS, FUNCTIONS};
 pub use passthrough::{KeywordGroup, KeywordUses, PartInstance, Passthrough, References};
 pub use route_tree::*;
+pub use shape::SHAPES;
 pub use tree::*;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
@@ -117,6 +119,6 @@ fn result_types(chain: &ChainSyntax) -> Vec<String> {
 pub(crate) fn keywords() -> Vec<&'static str> {
     let blocks = content::BLOCKS.iter().map(|(word, _)| *word);
     let dimensions = chain::DIMENSIONS.iter().map(|(word, _)| *word);
-    let lists = [lookahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, route_item::AXES].concat();
+    let lists = [lookahead::ITEMS, SETTINGS, FORMS, FUNCTIONS, SHAPES, route_item::AXES].concat();
     blocks.chain(dimensions).chain(lists).collect()
 }

@@ -11,7 +11,7 @@ use super::{attribute, content, lookahead};
 use crate::diag::{Diagnostics, nearest};
 
 /// The fields that only a body type has.
-const OF_TYPES: &[&str] = &["mass", "com", "inertia", "output"];
+const OF_TYPES: &[&str] = &["mass", "com", "inertia", "output", "shape"];
 
 /// Reads the keyword `part`, if it begins an item; a misspelt one is reported.
 pub(super) fn keyword(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {

@@ -73,6 +73,8 @@ pub enum ValueSyntax {
     About(ExprSyntax, Ident),
     /// A path of several names, such as `body.point`
     Path(PathSyntax),
+    /// `shape`, or `[shape, …]`
+    Shapes(ShapesSyntax),
     /// `body at point`, an error: the body, and the span of all.
     PlaceOn(Ident, SpanRange),
 }
@@ -108,6 +110,7 @@ impl ValueSyntax {
             ValueSyntax::Form(form) => form.extent(),
             ValueSyntax::About(expr, point) => expr.extent.to(SpanRange::token(point.span())),
             ValueSyntax::Path(path) => path.extent(),
+            ValueSyntax::Shapes(list) => list.extent,
             ValueSyntax::PlaceOn(_, extent) => *extent,
         }
     }
@@ -125,6 +128,7 @@ impl ValueSyntax {
             ValueSyntax::Form(form) => format!("`{}(…)`", form.word),
             ValueSyntax::About(..) => "a number about a point".into(),
             ValueSyntax::Path(path) => format!("`{path}`"),
+            ValueSyntax::Shapes(_) => "a shape".into(),
             ValueSyntax::PlaceOn(body, _) => format!("a point of `{body}`"),
         }
     }
@@ -197,6 +201,41 @@ impl FormSyntax {
     pub fn extent(&self) -> SpanRange {
         SpanRange::token(self.word.span()).to(self.list.extent)
     }
+}
+
+/// The shapes of a body.
+#[derive(Clone, Debug)]
+pub struct ShapesSyntax {
+    /// The shapes, at least one.
+    pub shapes: Vec<ShapeSyntax>,
+    /// From the first to the last token.
+    pub extent: SpanRange,
+}
+
+/// `word(arguments) at [x, y, z] turned orientation`
+#[derive(Clone, Debug)]
+pub struct ShapeSyntax {
+    /// The kind.
+    pub word: Ident,
+    /// The arguments, each with its name if it has one.
+    pub arguments: Vec<(Option<Ident>, ShapeArgument)>,
+    /// The parentheses around the arguments.
+    pub parentheses: SpanRange,
+    /// The position after `at`.
+    pub position: Option<ValueSyntax>,
+    /// The orientation after `turned`.
+    pub orientation: Option<OrientationSyntax>,
+    /// From the first to the last token.
+    pub extent: SpanRange,
+}
+
+/// An argument of a shape.
+#[derive(Clone, Debug)]
+pub enum ShapeArgument {
+    /// A number or a vector.
+    Value(ValueSyntax),
+    /// Text in quotes, without them.
+    Text(String, SpanRange),
 }
 
 /// A number as written.

@@ -32,9 +32,27 @@ fn value() -> BoxedStrategy<String> {
     };
     let inertia = (one_of("diag tensor", " "), several(number(), 6), pick("com input tip"))
         .prop_map(|(form, numbers, about)| format!("{form}({numbers}) about {about}"));
+    let shape = || {
+        let kind = one_of("box cylinder capsule sphere mesh", " ");
+        let arguments = vec(
+            (one_of("|radius =|length =|r =", "|"), prop_oneof![number(), vector(), soup()]),
+            0..3,
+        );
+        (kind, arguments, option::of(vector()), option::of(turn()))
+            .prop_map(|(kind, arguments, at, turn)| {
+                let arguments =
+                    arguments.into_iter().map(|(name, value)| format!("{name} {value}"));
+                let at = at.map_or_else(String::new, |at| format!(" at {at}"));
+                let turn = turn.map_or_else(String::new, |turn| format!(" turned {turn}"));
+                format!("{kind}({}){at}{turn}", arguments.collect::<Vec<_>>().join(", "))
+            })
+            .boxed()
+    };
     prop_oneof![
         4 => number(),
         4 => vector(),
+        1 => shape(),
+        1 => several(shape(), 3).prop_map(|shapes| format!("[{shapes}]")),
         2 => (vector(), turn()).prop_map(|(at, turn)| format!("{at} turned {turn}")),
         1 => turn(),
         2 => inertia,
@@ -76,7 +94,7 @@ struct Dimension {
 const SPACE: Dimension = Dimension {
     word: "|space|pub|pub(crate) space|/// text\n",
     body: "body Rod { mass = 1; com = [1, 0, 0]; output = [2, 0, 0];
-        inertia = diag(1, 1, 1) about com; point tip = [1, 1, 1]; }",
+        inertia = diag(1, 1, 1) about com; shape = box([1, 2, 3]) turned rpy(1, 0, 0); point tip = [1, 1, 1]; }",
     hinges: "pin(x)|ball|weld|slider([1, 2, 3])|screw(z, 0.1)|elastic|cylindrical(x)|universal(x, y)\
         |planar(z)|floating|pin([1, 0.5, 0])",
     starts: "ground|moving hand|ground at [1, 0, 0] turned rpy(1, 0, 0)|Rod b9",
@@ -91,7 +109,7 @@ const SPACE: Dimension = Dimension {
 const PLANE: Dimension = Dimension {
     word: "plane",
     body: "body Rod { mass = 1; com = [1, 0]; output = [2, 0] turned 1; inertia = 1 about com;
-        point tip = [1, K]; }",
+        point tip = [1, K]; shape = [sphere(radius = 1) at [1, 2], mesh(\"a\") at [1, 2, 3]]; }",
     hinges: "pin|weld|slider(y)|slider([1, 2])|planar|elastic|floating",
     starts: "ground|moving hand|ground at [1, 0] turned 2|Rod b9",
     ends: "pin h9 -> ground at [3, 0]|planar h9 -> moving tool|elastic h9 -> ground",

@@ -7,7 +7,7 @@ use proptest::sample::select;
 pub const WORDS: &str = "chain space plane line pub gravity method riccati transfer results poses velocities \
     energies param body hinge load spring point ground moving repeat from last part at turned about input output com pin ball weld slider \
     screw cylindrical universal planar floating elastic diag tensor matrix rpy quaternion sqrt sin \
-    cos PI x y z kg m s rad deg N";
+    cos box cylinder capsule sphere mesh radius PI x y z kg m s rad deg N";
 
 /// Names that many texts have in common, so that some are given and used.
 pub const NAMES: &str = "h0 h1 h2 b0 b1 b2 k tip hand Rod Link K";
@@ -15,7 +15,7 @@ pub const NAMES: &str = "h0 h1 h2 b0 b1 b2 k tip hand Rod Link K";
 pub const FIELDS: &str = "mass inertia com output start rest motion start_rate start_velocity force \
     torque stiffness damping armature friction friction_speed limits limit_stiffness limit_damping \
     turning_stiffness turning_damping turning_armature turning_friction turning_friction_speed \
-    turning_limits turning_limit_stiffness turning_limit_damping on at to axes length";
+    turning_limits turning_limit_stiffness turning_limit_damping on at to axes length shape";
 
 pub const NUMBERS: &str = "0 1 2 3 -1 0.5 1e-3 10 100 1_000 10000000 10000001 2147483647 2147483648 \
     18446744073709551616 0x10 0b1 1e308 -1e308 1e-308 1e-320 1e999 1e200 1. 2kg 3e 1f32 1usize \

@@ -4,15 +4,17 @@ use super::super::EmitContext;
 use super::super::arrays::usize_literal;
 use super::super::const_expr::is_const;
 use super::row::{Row, default, indexed};
+use super::shapes::ShapeLists;
 use crate::model::{About, Body, BodyId, Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 
-/// Returns the inertias that occur, and the table of bodies.
+/// Returns the inertias and shapes that occur, and the table of bodies.
 pub fn bodies(cx: &EmitContext) -> (TokenStream, Vec<Row>) {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     let (mut items, mut rows) = (TokenStream::new(), Vec::new());
+    let mut shapes = ShapeLists::default();
     for id in cx.chain.physical_bodies() {
         let body = &cx.chain.bodies[id];
         let inertia = written(cx, body);
@@ -24,9 +26,11 @@ pub fn bodies(cx: &EmitContext) -> (TokenStream, Vec<Row>) {
         }
         let repeat = cx.chain.repeat_of_body(id);
         let (path, ty) = (indexed(&body.path, repeat.is_some()), body.type_name.to_string());
-        let tokens = quote!(#name.named(#path, #ty));
+        let shaped = shapes.of(body);
+        let tokens = quote!(#name.named(#path, #ty) #shaped);
         rows.push(Row { tokens, repeat: cx.counted(repeat) });
     }
+    items.extend(shapes.items);
     (items, rows)
 }
 

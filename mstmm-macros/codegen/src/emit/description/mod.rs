@@ -6,6 +6,7 @@ mod inertia;
 mod quantities;
 mod results;
 mod row;
+mod shapes;
 mod values;
 
 use super::EmitContext;

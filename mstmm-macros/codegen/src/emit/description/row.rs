@@ -64,7 +64,8 @@ pub fn default(cx: &EmitContext, value: &Value) -> TokenStream {
     }
 }
 
-fn literal(number: f64) -> TokenStream {
+/// Returns a finite number.
+pub fn literal(number: f64) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed(number.abs());
     if number < 0.0 { quote!(-#magnitude) } else { quote!(#magnitude) }
 }

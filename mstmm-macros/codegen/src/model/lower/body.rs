@@ -10,13 +10,13 @@ use super::fields::{self, FieldOwner, Fields};
 use super::inertia;
 use super::parts::{WrittenBlock, WrittenOut};
 use super::vector::zeros;
-use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Value};
+use crate::model::{About, Dimension, Frame, Inertia, NamedPoint, Shape, Value};
 use crate::syntax::{BlockKeyword, BlockSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// The fields of a body type.
-pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output"];
+pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output", "shape"];
 /// Its fields in a line chain, which has no rotations.
-const LINE_FIELDS: &[&str] = &["mass", "com", "output"];
+const LINE_FIELDS: &[&str] = &["mass", "com", "output", "shape"];
 /// What messages list after the fields: a body has any number of points.
 const POINT: &str = "point name";
 
@@ -34,6 +34,8 @@ pub(crate) struct BodyType<'a> {
     pub output: Option<Spanned<Frame>>,
     /// Its named points.
     pub points: Vec<PointDraft<'a>>,
+    /// Its shapes for pictures; without those that are not readable.
+    pub shapes: Vec<Shape>,
     /// The beginning of the name of the type of its results: its name, after that of its part.
     pub result_name: Ident,
     /// The part in which it is described.
@@ -144,7 +146,8 @@ fn body_type<'a>(
     for field in &block.fields {
         fields.add(field, &listed, &FieldOwner::of_block(&owner), context);
     }
-    let [mass, com, inertia, output] = ["mass", "com", "inertia", "output"].map(|f| fields.get(f));
+    let [mass, com, inertia, output, shape] =
+        ["mass", "com", "inertia", "output", "shape"].map(|f| fields.get(f));
     let body_type = BodyType {
         name,
         mass: mass
@@ -155,6 +158,7 @@ fn body_type<'a>(
             .and_then(|f| context.field(f, |context, syntax| context.read_inertia(syntax))),
         output: output.and_then(|f| context.field(f, |context, syntax| context.read_frame(syntax))),
         points: block.points.iter().map(|point| self::point(point, context)).collect(),
+        shapes: context.readable(shape, Vec::new, |context, syntax| context.read_shapes(syntax)),
         result_name: match part {
             Some(part) => Ident::new(&format!("{}{}", part.unraw(), name.unraw()), name.span()),
             None => name.clone(),
@@ -214,7 +218,8 @@ impl BodyType<'_> {
             return Vec::new();
         }
         let may_miss = |field: &&str| {
-            (*field == "output" && !output_is_used)
+            *field == "shape"
+                || (*field == "output" && !output_is_used)
                 || (*field == "com" && self.space == Dimension::Line)
         };
         let field_names = field_names(self.space);

@@ -195,6 +195,7 @@ impl<'a> Draft<'a> {
             inertia: body_type.inertia.clone()?.value,
             output: body_type.output.clone().map_or_else(Frame::identity, |output| output.value),
             points: body_type.points.iter().map(PointDraft::finish).collect::<Option<_>>()?,
+            shapes: body_type.shapes.clone(),
             present: PresentPoints {
                 output: body_type.gives("output"),
                 com: body_type.gives("com"),
@@ -276,6 +277,7 @@ fn end_body(name: &ItemName) -> Body {
         inertia: Inertia { tensor: [(); 6].map(|()| zero()), about: About::Com },
         output: Frame::identity(),
         points: Vec::new(),
+        shapes: Vec::new(),
         present: PresentPoints::ALL,
         role: Role::MovingEnd,
     }

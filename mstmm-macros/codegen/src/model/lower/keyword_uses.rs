@@ -8,7 +8,7 @@ use crate::model::{Dimension, HingeKind};
 use crate::syntax::{
     BlockKeyword, BlockSyntax, ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, FieldSyntax,
     KeywordGroup, KeywordUses, ListSyntax, OrientationSyntax, RouteItemSyntax, RouteSyntax,
-    SETTINGS, UnitFactorSyntax, UnitSyntax, ValueSyntax,
+    SETTINGS, ShapeArgument, ShapeSyntax, UnitFactorSyntax, UnitSyntax, ValueSyntax,
 };
 
 /// Fields whose value is a place, not a number.
@@ -134,8 +134,19 @@ impl KeywordSearch<'_> {
                 self.orientation(orientation);
             }
             ValueSyntax::Form(form) => self.list(&form.list),
+            ValueSyntax::Shapes(list) => list.shapes.iter().for_each(|shape| self.shape(shape)),
             ValueSyntax::Path(_) | ValueSyntax::PlaceOn(..) => {}
         }
+    }
+
+    fn shape(&mut self, shape: &ShapeSyntax) {
+        for (_, argument) in &shape.arguments {
+            if let ShapeArgument::Value(value) = argument {
+                self.value(value);
+            }
+        }
+        shape.position.iter().for_each(|position| self.value(position));
+        shape.orientation.iter().for_each(|orientation| self.orientation(orientation));
     }
 
     fn orientation(&mut self, orientation: &OrientationSyntax) {

@@ -28,6 +28,7 @@ mod references;
 mod route;
 mod route_item;
 mod setting;
+mod shape;
 mod start;
 mod unit;
 mod vector;
@@ -110,7 +111,8 @@ pub(super) fn draft<'a>(
 /// Returns the keywords of all fields and of their values.
 #[cfg(test)]
 pub(super) fn keywords() -> Vec<&'static str> {
-    let fields = [body::FIELDS, load::LOAD_FIELDS, load::SPRING_FIELDS, POINTS].concat();
+    let fields =
+        [body::FIELDS, load::LOAD_FIELDS, load::SPRING_FIELDS, POINTS, &shape::LENGTHS].concat();
     let hinges = KINDS.iter().flat_map(|kind| {
         let of_hinge = |kind: crate::model::HingeKind| hinge::fields(kind.spec());
         std::iter::once(kind.word)

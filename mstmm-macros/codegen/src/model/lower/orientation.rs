@@ -132,13 +132,13 @@ impl Context<'_> {
 
 impl Orientation {
     /// Returns a rotation about z.
-    fn about_z(angle: Value) -> Self {
+    pub fn about_z(angle: Value) -> Self {
         let zero = || Value::number(0.0);
         Orientation::Rpy([zero(), zero(), angle])
     }
 
     /// Roll, pitch and yaw, if they are written.
-    fn angles(&self) -> Option<[Value; 3]> {
+    pub fn angles(&self) -> Option<[Value; 3]> {
         match self {
             Orientation::Rpy(angles) => Some(angles.clone()),
             Orientation::Quaternion(_) => None,

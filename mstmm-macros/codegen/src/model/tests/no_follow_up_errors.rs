@@ -16,7 +16,7 @@ const REST: &str = "com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com;
 fn an_unknown_field_may_be_the_missing_one() {
     let unknown = |field: &str| {
         format!(
-            "body `Rod` has no field `{field}`; it has `mass`, `com`, `inertia`, `output` and `point name`"
+            "body `Rod` has no field `{field}`; it has `mass`, `com`, `inertia`, `output`, `shape` and `point name`"
         )
     };
     expect_body(&format!("heft = 1 kg; {REST}"), &[("heft", &unknown("heft"))]);
@@ -182,7 +182,7 @@ fn a_refused_name_may_be_the_unknown_one() {
         ),
         &[(
             "lug",
-            "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia`, `output` and `point name`",
+            "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia`, `output`, `shape` and `point name`",
         )],
     );
     // A name of another kind is another matter.

@@ -6,7 +6,8 @@ use std::rc::Rc;
 use crate::diag::InstanceId;
 use crate::syntax::{
     ArgumentsSyntax, BlockSyntax, ExprKind, ExprSyntax, FactorSyntax, FieldSyntax, FormSyntax,
-    ListSyntax, OrientationSyntax, RouteItemSyntax, SpanRange, TermSyntax, ValueSyntax,
+    ListSyntax, OrientationSyntax, RouteItemSyntax, ShapeArgument, ShapeSyntax, ShapesSyntax,
+    SpanRange, TermSyntax, ValueSyntax,
 };
 
 /// The arguments of an instance by the names of the parameters.
@@ -81,7 +82,34 @@ impl Substitution {
                     orientation_of.unwrap_or_else(|| orientation.clone()),
                 )
             }
+            ValueSyntax::Shapes(list) => ValueSyntax::Shapes(self.shapes(list)?),
             ValueSyntax::Path(_) | ValueSyntax::PlaceOn(..) => return None,
+        })
+    }
+
+    fn shapes(&self, list: &ShapesSyntax) -> Option<ShapesSyntax> {
+        let shapes = self.all(&list.shapes, |shape| self.shape(shape))?;
+        Some(ShapesSyntax { shapes, extent: self.extent(list.extent) })
+    }
+
+    fn shape(&self, shape: &ShapeSyntax) -> Option<ShapeSyntax> {
+        let arguments = self.all(&shape.arguments, |(name, argument)| {
+            let ShapeArgument::Value(value) = argument else { return None };
+            Some((name.clone(), ShapeArgument::Value(self.value(value)?)))
+        });
+        let position = shape.position.as_ref().and_then(|position| self.value(position));
+        let orientation = shape.orientation.as_ref().and_then(|it| self.orientation(it));
+        if arguments.is_none() && position.is_none() && orientation.is_none() {
+            return None;
+        }
+        let ShapeSyntax { word, parentheses, extent, .. } = shape;
+        Some(ShapeSyntax {
+            word: word.clone(),
+            arguments: arguments.unwrap_or_else(|| shape.arguments.clone()),
+            parentheses: self.extent(*parentheses),
+            position: position.or_else(|| shape.position.clone()),
+            orientation: orientation.or_else(|| shape.orientation.clone()),
+            extent: self.extent(*extent),
         })
     }
 
