@@ -3,7 +3,7 @@
 use cargo_mstmm::export::select;
 use cargo_mstmm::import::{Options, import};
 use cargo_mstmm::source::Source;
-use mstmm_codegen::model::Chain;
+use mstmm_codegen::model::{Chain, Geometry};
 use std::path::Path;
 
 /// Exports a chain of a text.
@@ -77,6 +77,36 @@ fn what_urdf_has_is_written_out() {
     }
     let imported = import(&urdf, &Options::default()).expect("a chain");
     assert!(imported.text.contains("mass = 6 kg;"), "{}", imported.text);
+}
+
+/// A capsule is the union of a cylinder and two spheres at its ends.
+#[test]
+fn shapes_are_visuals() {
+    let shapes = "[capsule(radius = 5 cm, length = 1 m) at [0, 0, 2] m turned quaternion(1, 0, 1, 0), \
+                  mesh(\"info/<\\\"b\\\">.stl\"), sphere(radius = 0.1 m) at [0, 1, 0] m]";
+    let text = format!(
+        "chain Rods {{ {} ground -> pin(y) a -> Rod rod; }}",
+        BODY.replace("mass", &format!("shape = {shapes}; mass"))
+    );
+    let urdf = export(&text, None).expect("a file");
+    let again = import(&urdf, &Options::default()).expect("a chain").text;
+    // The axis of the capsule is x: z is rotated by a right angle about y.
+    let parts = [
+        "cylinder(radius = 0.05 m, length = 1 m) at [0, 0, 2] m turned rpy(0, 90, 0) deg,",
+        "mesh(\"info/<\\\"b\\\">.stl\"),",
+        "sphere(radius = 0.1 m) at [0, 1, 0] m,",
+    ];
+    for part in parts {
+        assert!(again.contains(part), "{part} is not in\n{urdf}\n{again}");
+    }
+    let (checked, _) = Source::new("text", &again).check();
+    let rod = checked[0].chain.bodies.iter().find(|body| body.path == "rod").expect("the rod");
+    for (side, shape) in [-0.5, 0.5].iter().zip(&rod.shapes[1..3]) {
+        assert_eq!(shape.geometry, Geometry::Sphere(0.05));
+        let difference = shape.position.iter().zip([*side, 0.0, 2.0]).map(|(a, b)| (a - b).abs());
+        // A product with a rounded rotation.
+        assert!(difference.fold(0.0, f64::max) < 4.0 * f64::EPSILON, "{:?}", shape.position);
+    }
 }
 
 /// Returns the reasons for a chain of two rods with this hinge and these items after the route.

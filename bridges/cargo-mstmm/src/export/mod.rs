@@ -3,6 +3,7 @@
 mod refusals;
 mod urdf;
 mod values;
+mod visuals;
 
 use mstmm_codegen::model::Chain;
 use values::Values;
@@ -21,7 +22,7 @@ pub fn export(chain: &Chain) -> Result<String, Vec<String>> {
     // Loads and springs are refused above; the written out chain does not have them.
     let most = chain.repeats.iter().map(|repeat| repeat.count).max().unwrap_or(1);
     let text = urdf::write(&chain.unrolled(most), &values);
-    match text.contains("NaN") || text.contains("inf") {
+    match values.is_incomplete() {
         false => Ok(text),
         true => Err(vec!["a value depends on a Rust constant: write it as a number".to_owned()]),
     }

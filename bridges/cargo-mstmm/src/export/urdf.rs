@@ -8,6 +8,7 @@ use std::collections::HashSet;
 use std::fmt::Write as _;
 
 use super::values::Values;
+use super::visuals::visuals;
 use crate::import::{Names, number, shortest};
 
 /// The name of the root link, unless it is a floating base. No body can have it.
@@ -84,6 +85,9 @@ impl Writer<'_> {
         self.line(3, &format!("<mass value=\"{}\"/>", number(mass)));
         self.line(3, &format!("<inertia {entries}/>"));
         self.line(2, "</inertial>");
+        for visual in body.shapes.iter().flat_map(visuals) {
+            self.line(2, &visual);
+        }
         self.line(1, "</link>");
     }
 

@@ -4,7 +4,7 @@ use super::bodies::{Body, Tree};
 use super::expressions::Expressions;
 use super::frame::{Angle, Frame};
 use super::robot::{Joint, Kind, Robot};
-use super::shapes::shape;
+use super::shapes::shapes;
 
 /// Names in the text, for each body; in a part those of the first branch are written.
 #[derive(Clone)]
@@ -89,7 +89,7 @@ impl<'a> Scope<'a> {
         }
         let is_same = bodies.iter().all(|body| body.visuals == bodies[0].visuals);
         let visuals = bodies[0].visuals.iter().filter(|_| is_same);
-        fields.extend(visuals.map(|visual| shape(visual, self.source.snap)));
+        fields.extend(shapes(visuals, self.source.snap));
         fields
     }
 

@@ -282,7 +282,11 @@ fn route(steps: impl IntoIterator<Item = String>) -> Vec<String> {
 fn block(head: &str, fields: &[String]) -> Vec<String> {
     let mut lines = vec![format!("{head} {{")];
     let indent = |field: &str| if field.starts_with("//") { "//     " } else { "    " };
-    let fields = fields.iter().flat_map(|field| wrapped(field, indent(field), ", "));
+    let fields = fields.iter().flat_map(|field| match field.contains('"') {
+        // A line break would change the text in quotes.
+        true => vec![field.clone()],
+        false => wrapped(field, indent(field), ", "),
+    });
     lines.extend(fields.map(|line| format!("    {line}")));
     lines.push("}".to_owned());
     lines

@@ -17,19 +17,55 @@ pub struct Visual {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     Box(Vector3<f64>),
-    Cylinder { radius: f64, length: f64 },
-    Capsule { radius: f64, length: f64 },
-    Sphere { radius: f64 },
-    Mesh { file: String },
+    Cylinder {
+        radius: f64,
+        length: f64,
+    },
+    Capsule {
+        radius: f64,
+        length: f64,
+    },
+    Sphere {
+        radius: f64,
+    },
+    /// A file, with the factors of its lengths along the axes.
+    Mesh {
+        file: String,
+        scale: Vector3<f64>,
+    },
 }
 
-/// Reads the elements `visual` of a link; a mesh without a file is omitted.
+impl Shape {
+    fn has_size(&self) -> bool {
+        match self {
+            Shape::Box(sides) => sides.iter().all(|side| *side > 0.0),
+            Shape::Cylinder { radius, length } | Shape::Capsule { radius, length } => {
+                *radius > 0.0 && *length > 0.0
+            }
+            Shape::Sphere { radius } => *radius > 0.0,
+            Shape::Mesh { .. } => true,
+        }
+    }
+
+    /// Returns the factors of a mesh whose lengths are not those of its file.
+    pub fn scale(&self) -> Option<&Vector3<f64>> {
+        match self {
+            Shape::Mesh { scale, .. } if *scale != Vector3::repeat(1.0) => Some(scale),
+            _ => None,
+        }
+    }
+}
+
+/// Reads the elements `visual` of a link. A mesh without a file and a shape without a positive size are omitted.
 pub fn visuals(link: Element) -> Result<Vec<Visual>> {
     let mut visuals = Vec::new();
     for visual in link.children("visual") {
         let Some(shape) = visual.child("geometry").map(shape).transpose()?.flatten() else {
             continue;
         };
+        if !shape.has_size() {
+            continue;
+        }
         let frame = match visual.child("origin") {
             None => Frame::identity(),
             Some(origin) => {
@@ -61,6 +97,8 @@ fn shape(geometry: Element) -> Result<Option<Shape>> {
             }));
         }
     }
-    let file = round("mesh").and_then(|mesh| mesh.attribute("filename"));
-    Ok(file.map(|file| Shape::Mesh { file: file.to_owned() }))
+    let Some(mesh) = round("mesh") else { return Ok(None) };
+    let scale = mesh.vector("scale", [1.0; 3])?;
+    let file = mesh.attribute("filename").filter(|file| !file.is_empty());
+    Ok(file.map(|file| Shape::Mesh { file: file.to_owned(), scale }))
 }
