@@ -10,6 +10,8 @@ mod lists;
 mod models;
 #[path = "described/names.rs"]
 mod names;
+#[path = "described/not_finite.rs"]
+mod not_finite;
 #[path = "described/results.rs"]
 mod results;
 #[path = "described/shapes.rs"]

@@ -20,6 +20,8 @@ pub enum Error {
     },
     /// A coordinate, a rate, an input or the time is NaN or infinite, or so large that the accelerations or their sum
     /// overflow.
+    ///
+    /// [`Described::not_finite`](crate::Described::not_finite) finds the value and its name.
     NotFinite,
     /// The length of a quaternion of a state or of a prescribed motion is not between 0.9 and 1.1.
     ///

@@ -1,7 +1,8 @@
 //! The trait of chains that describe themselves.
 
+use super::origin::{self, Origin};
 use super::results::{Arrays, spring, spring_len};
-use super::values::Values;
+use super::values::{Search, Values};
 use super::{BodyInertia, Description, Dimension, PointResult, WrittenInertia};
 use crate::{Energy, Error, GeneratedChain, SpringResult};
 
@@ -46,6 +47,31 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
         }
         Self::copy_inputs_(&mut inputs.clone(), Values::To(values.iter_mut()));
         Some(())
+    }
+
+    /// Returns the first value that is NaN or infinite, in any lane: the time, then coordinates, rates and inputs.
+    ///
+    /// It finds the cause of [`Error::NotFinite`], and [`Description::name_of`] gives its name. If there is none, a
+    /// value is so large that results overflow, or an argument other than state and inputs is not finite. Functions do
+    /// not search for the value themselves: it would make the test slower and the code larger. The inputs are copied, as
+    /// by [`inputs_to_slice`](Self::inputs_to_slice).
+    ///
+    /// ```
+    /// use mstmm_runtime::description::Origin;
+    /// use mstmm_runtime::Described;
+    ///
+    /// fn rate_is_wrong<C: Described>(state: &C::State, inputs: &C::Inputs) -> bool {
+    ///     matches!(C::not_finite(state, inputs), Some(Origin::Rate(_)))
+    /// }
+    /// ```
+    #[cold]
+    #[must_use]
+    fn not_finite(state: &Self::State, inputs: &Self::Inputs) -> Option<Origin> {
+        origin::of_state(state).or_else(|| {
+            let mut search = Search::default();
+            Self::copy_inputs_(&mut inputs.clone(), Values::Find(&mut search));
+            search.found.map(Origin::Input)
+        })
     }
 
     /// Returns the value of a parameter by its index in [`Description::parameters`]; `None` if there is no such

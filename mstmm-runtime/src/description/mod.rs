@@ -40,6 +40,7 @@ mod described;
 mod hinge;
 mod items;
 mod name;
+mod origin;
 mod part;
 mod quantity;
 mod results;
@@ -57,6 +58,7 @@ pub(crate) use described::no_parameter;
 pub use hinge::{Dofs, Hinge, HingeShape};
 pub use items::{Item, Items};
 pub use name::Name;
+pub use origin::Origin;
 pub use part::QuantityKind;
 pub use quantity::{Quantities, Quantity};
 #[doc(hidden)]

@@ -2,6 +2,7 @@
 
 use core::slice;
 
+use super::origin::is_not_finite;
 use crate::{
     BallState, CylindricalState, ElasticState, FloatingState, HingeMotion, PinState, PlanarState,
     PlaneElasticState, Scalar, ScrewState, SliderState, UniversalState,
@@ -14,6 +15,17 @@ pub enum Values<'a, T> {
     From(slice::Iter<'a, T>),
     /// From the inputs.
     To(slice::IterMut<'a, T>),
+    /// To nowhere: finds the first value that is not finite.
+    Find(&'a mut Search),
+}
+
+/// The search for a value that is not finite.
+#[derive(Debug, Default)]
+pub struct Search {
+    /// The number of values read.
+    read: usize,
+    /// The index of the first value that is not finite.
+    pub(super) found: Option<usize>,
 }
 
 impl<T: Scalar> Values<'_, T> {
@@ -40,6 +52,12 @@ impl<T: Scalar> Values<'_, T> {
                 if let Some(place) = places.next() {
                     *place = *scalar;
                 }
+            }
+            Values::Find(search) => {
+                if search.found.is_none() && is_not_finite(scalar) {
+                    search.found = Some(search.read);
+                }
+                search.read += 1;
             }
         }
     }
