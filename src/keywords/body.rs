@@ -29,3 +29,10 @@ pub enum mass {}
 ///
 /// See [bodies](crate::mstmm_chain#bodies).
 pub enum output {}
+
+/// `shape`: one [shape](crate::mstmm_chain#shapes), or several in brackets, for pictures only.
+///
+/// Unit: m. Default: the body has no shape.
+///
+/// See [bodies](crate::mstmm_chain#bodies).
+pub enum shape {}
