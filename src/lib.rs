@@ -3,6 +3,8 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
 #![deny(missing_docs)]
+// The documentation site shows which items need a feature.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[doc = include_str!("frames.md")]
 pub mod frames {}
