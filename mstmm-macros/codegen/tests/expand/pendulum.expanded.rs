@@ -739,7 +739,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
         at_: &PendulumWorkspace<T>,
         index_: ::core::primitive::usize,
     ) -> ::mstmm::generated::description::PointResult_<T> {
-        ::mstmm::generated::description::PointResult_::from(at_.point_(index_))
+        ::core::convert::From::from(at_.point_(index_))
     }
     fn change_inertia_(&self, it_: &mut ::mstmm::generated::description::Inertia_<T>) {
         let parameters_ = self.parameters();

@@ -331,7 +331,7 @@ fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
             #jacobian;
         }
         ::core::option::Option::Some(::core::result::Result::Ok(
-            #mstmm::FrameMotion::from(point_),
+            ::core::convert::From::from(point_),
         ))
     };
     (frame, motion)

@@ -33,7 +33,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             at_: &#workspace<T>,
             index_: ::core::primitive::usize,
         ) -> #described::PointResult_<T> {
-            #described::PointResult_::from(at_.point_(index_))
+            ::core::convert::From::from(at_.point_(index_))
         }
     }
 }
