@@ -34,7 +34,7 @@ const PERIOD: f64 = 0.01;
 fn study() -> Result<Plot, mstmm::Error> {
     // The linear model of a period about the upright pose, and the gain for it.
     let chain = Balance::<f64>::new();
-    let upright = BalanceState::default();
+    let upright = BalanceState::zero_position();
     let model = discretize(&chain, &upright, &chain.no_inputs(), PERIOD)?;
     let (a, b): (Matrix6<f64>, Vector6<f64>) = (model.a(), model.b());
     let weights = Matrix6::from_diagonal(&Vector6::new(10.0, 10.0, 10.0, 1.0, 1.0, 1.0));

@@ -88,7 +88,7 @@ fn results<C: GeneratedChain<Scalar = f64, State: Default, Workspace: std::fmt::
     q: &[f64],
     v: &[f64],
 ) -> Vec<f64> {
-    let mut state = C::State::default();
+    let mut state = C::State::zero_position();
     state.coordinates_mut().copy_from_slice(q);
     state.rates_mut().copy_from_slice(v);
     let mut at = chain.workspace();

@@ -147,7 +147,7 @@ where
     let mut solved = generated.workspace();
     generated.solve_into(&good.0, &good.1, &mut solved).expect("a regular chain");
     let answer = |state: &C::State, inputs: &C::Inputs| {
-        let (mut at, mut rate) = (solved.clone(), C::State::default());
+        let (mut at, mut rate) = (solved.clone(), C::State::zero_position());
         let result = generated.solve_into(state, inputs, &mut at);
         let fast = generated.derivative_into(state, inputs, &mut rate);
         assert_eq!(result, fast, "{name}");

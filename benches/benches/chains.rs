@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use mstmm::wide::{f32x16, f64x8};
-use mstmm::{Rk4, Scalar};
+use mstmm::{ChainState, Rk4, Scalar};
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, Lanes, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
     numbers_of_state, samples, with_cases, with_z,
@@ -74,7 +74,7 @@ fn lanes(criterion: &mut Criterion) {
 }
 
 fn accelerations<C: Case>(group: &mut Group) {
-    let (chain, mut rate) = (C::default(), C::State::default());
+    let (chain, mut rate) = (C::default(), C::State::zero_position());
     bench_each::<C>(group, &chain, |(state, inputs)| {
         let result = chain.accelerations_into(black_box(state), inputs, black_box(&mut rate));
         let _ = black_box(result);

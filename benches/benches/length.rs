@@ -72,7 +72,7 @@ macro_rules! time {
     };
 }
 
-fn set_randomly<S: ChainState<Scalar = f64> + Default>(states: &mut [S]) {
+fn set_randomly<S: ChainState<Scalar = f64>>(states: &mut [S]) {
     let numbers = random_states::<S>(states.len());
     let each = numbers.chunks_exact(numbers_of_state::<S>());
     for (state, numbers) in states.iter_mut().zip(each) {

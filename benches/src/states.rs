@@ -37,8 +37,8 @@ pub fn samples_from<C: Case>(chain: &C, numbers: &[f64]) -> Vec<(C::State, C::In
 }
 
 /// Returns the number of values of a state: coordinates, rates and torques.
-pub fn numbers_of_state<S: ChainState + Default>() -> usize {
-    let state = S::default();
+pub fn numbers_of_state<S: ChainState>() -> usize {
+    let state = S::zero_position();
     state.coordinates().len() + 2 * state.rates().len()
 }
 
@@ -46,8 +46,8 @@ pub fn numbers_of_state<S: ChainState + Default>() -> usize {
 /// are either pins or balls, or pins on a floating base, which comes first and has no effort.
 ///
 /// Angles and orientations are uniformly distributed, so that no branch can be predicted.
-pub fn random_states<S: ChainState + Default>(count: usize) -> Vec<f64> {
-    let state = S::default();
+pub fn random_states<S: ChainState>(count: usize) -> Vec<f64> {
+    let state = S::zero_position();
     let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
     let mut random = Random(SEED);
     let mut numbers = Vec::with_capacity(count * numbers_of_state::<S>());
@@ -78,10 +78,10 @@ pub fn random_angles(count: usize) -> Vec<f64> {
 }
 
 /// Returns a state from such numbers, and the torques.
-pub fn state_from<S: ChainState + Default>(
+pub fn state_from<S: ChainState>(
     mut numbers: impl Iterator<Item = S::Scalar>,
 ) -> (S, Vec<S::Scalar>) {
-    let mut state = S::default();
+    let mut state = S::zero_position();
     let (coordinates, rates) = (state.coordinates().len(), state.rates().len());
     for (entry, number) in
         state.coordinates_mut().iter_mut().zip(numbers.by_ref().take(coordinates))

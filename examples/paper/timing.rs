@@ -58,7 +58,7 @@ impl<'a, C: GeneratedChain<Scalar = f64>> Generated<'a, C> {
         let mut state = chain.initial_state();
         state.coordinates_mut().copy_from_slice(angles);
         state.rates_mut().copy_from_slice(rates);
-        Generated { chain, state, rate: C::State::default(), inputs: chain.no_inputs() }
+        Generated { chain, state, rate: C::State::zero_position(), inputs: chain.no_inputs() }
     }
 
     pub fn evaluate(&mut self) -> Result<(), Error> {

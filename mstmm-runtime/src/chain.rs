@@ -10,9 +10,20 @@ use crate::{Energy, Error, Scalar};
 ///
 /// The state of a generated chain has the same values in its public fields `q`, `v` and `t`, as vectors of a fixed
 /// length. The methods of this trait are for code that is generic over the chain.
-pub trait ChainState: Clone {
+///
+/// [`Default`] of a generated state is the start of the description, with default parameters.
+pub trait ChainState: Clone + Default {
     /// The scalar type of the state.
     type Scalar: Scalar;
+
+    /// Returns the state in which every hinge is at rest in its zero position, at time zero.
+    ///
+    /// Integrators allocate their buffers with it. The default implementation is [`Default::default`], for states
+    /// whose default is that state.
+    #[must_use]
+    fn zero_position() -> Self {
+        Self::default()
+    }
 
     /// Returns the coordinates: rad, m, and the components w, x, y, z of unit quaternions.
     #[doc(alias("q", "qpos", "configuration", "positions", "generalized coordinates", "nq"))]
@@ -42,8 +53,8 @@ pub trait Chain {
     /// The scalar type of the chain.
     type Scalar: Scalar;
 
-    /// The state of the chain. Integrators allocate their buffers as default states.
-    type State: ChainState<Scalar = Self::Scalar> + Default;
+    /// The state of the chain.
+    type State: ChainState<Scalar = Self::Scalar>;
 
     /// The inputs of the chain: efforts of motors, external forces and torques, prescribed motions.
     type Inputs;

@@ -20,7 +20,7 @@ where
     C: Asked<Scalar = f64>,
     D: Asked<Scalar = Dual<f64>>,
 {
-    let (mut moving, mut change) = (case.state.clone(), C::State::default());
+    let (mut moving, mut change) = (case.state.clone(), C::State::zero_position());
     moving.rates_mut().copy_from_slice(&direction.coordinates);
     case.chain.configuration_rate_into(&moving, &mut change);
     let mut state = same.state.clone();

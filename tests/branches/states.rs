@@ -87,7 +87,7 @@ fn coordinates_are_in_the_order_of_the_text_written_out() {
 }
 
 fn random_state(random: &mut Random) -> LadderState<f64> {
-    let mut state = LadderState::default();
+    let mut state = LadderState::zero_position();
     state.coordinates_mut().iter_mut().for_each(|q| *q += random.between(-0.5, 0.5));
     state.rates_mut().iter_mut().for_each(|v| *v += random.between(-2.0, 2.0));
     Ladder::<f64>::new().normalize(&mut state);

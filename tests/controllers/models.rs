@@ -242,7 +242,7 @@ integrators! {
         let mut seen = vec![format!("{:?}", this.next_step())];
         // Wherever the last step was, some of these times are in it.
         for k in 0..512 {
-            let mut state = C::State::default();
+            let mut state = C::State::zero_position();
             let time = C::Scalar::constant(f64::from(k) / 1024.0);
             let result = this.interpolate(chain, time, &mut state);
             seen.push(format!("{result:?} {state:?}"));

@@ -24,7 +24,8 @@ type Results = Vec<(&'static str, Vec<f64>)>;
 /// Everything that is computed in one state.
 fn evaluations<C: Sample<Scalar: Lanes>>(case: &Case<C>) -> Result<Results, Error> {
     let Case { chain, state, inputs, step } = case;
-    let [mut rate, mut implicit_rate, mut of_coordinates] = [(); 3].map(|()| C::State::default());
+    let [mut rate, mut implicit_rate, mut of_coordinates] =
+        [(); 3].map(|()| C::State::zero_position());
     chain.derivative_into(state, inputs, &mut rate)?;
     chain.implicit_derivative_into(state, inputs, *step, &mut implicit_rate)?;
     chain.configuration_rate_into(state, &mut of_coordinates);

@@ -117,7 +117,7 @@ fn assembling_goes_on_until_all_lanes_are_closed() {
 /// Every function fails with the error, leaves states unchanged and returns no results.
 fn fails<C: Sample<Scalar = W>>(case: &Case<C>, expected: Error, name: &str) {
     let Case { chain, state, inputs, step } = case;
-    let mut rate = C::State::default();
+    let mut rate = C::State::zero_position();
     assert_eq!(chain.derivative_into(state, inputs, &mut rate), Err(expected), "{name}");
     let mut at = chain.workspace();
     // Some of these chains have no answer anywhere.

@@ -53,7 +53,10 @@ fn chains_are_types_of_their_scope() {
     let accelerations = public.accelerations(&public.initial_state(), &inputs);
     assert_eq!(accelerations.expect("a regular chain")[0], 3.0);
     assert_eq!(neighbour.initial_state().axle().rate(), 0.0);
-    assert_eq!(inside.initial_state(), two::CrateState::default());
+    assert_eq!(
+        inside.initial_state(),
+        <two::CrateState<f64> as mstmm::ChainState>::zero_position()
+    );
     let _: (two::PublicParameters<f64>, two::PublicWorkspace<f64>) =
         (*public.parameters(), public.workspace());
 }

@@ -1,7 +1,7 @@
 //! Hinges: axes, start values, torques, ends and methods.
 
-use mstmm::mstmm_chain;
 use mstmm::nalgebra::{UnitQuaternion, Vector3};
+use mstmm::{ChainState, mstmm_chain};
 
 /// The angular velocity of a body on a pin that turns with 1 rad/s.
 macro_rules! turning {
@@ -219,7 +219,7 @@ fn omitted_values_are_zero() {
     }
     let still = Still::<f64>::new();
     let state = still.initial_state();
-    assert_eq!(state, StillState::default());
+    assert_eq!(state, StillState::zero_position());
     let accelerations = still.accelerations(&state, &still.no_inputs()).expect("a regular chain");
     crate::assert_close(accelerations, [0.0; 4]);
 }

@@ -69,7 +69,11 @@ where
     pub fn check(&self, inputs: Inputs<A>, same: Inputs<B>) {
         let Pair { name, repeated, unrolled, .. } = self;
         let tolerance = TOLERANCE * numbers(&A::Scalar::epsilon())[0];
-        assert_eq!(numbers(&A::State::default()), numbers(&B::State::default()), "{name}");
+        assert_eq!(
+            numbers(&A::State::zero_position()),
+            numbers(&B::State::zero_position()),
+            "{name}"
+        );
         let start = [numbers(&repeated.initial_state()), numbers(&unrolled.initial_state())];
         assert_eq!(start[0], start[1], "{name}");
         let mut largest = (0.0, "anything", 0);

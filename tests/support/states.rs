@@ -5,7 +5,7 @@ use mstmm_reference::Random;
 
 /// Any state: angles and rates of up to one and two, quaternions of unit length in double precision.
 pub fn random_state<C: Chain>(random: &mut Random) -> C::State {
-    let mut state = C::State::default();
+    let mut state = C::State::zero_position();
     let zero_position = state.coordinates().to_vec();
     let mut q: Vec<f64> = zero_position.iter().map(|_| random.between(-1.0, 1.0)).collect();
     for (at, &rest) in zero_position.iter().enumerate() {

@@ -68,7 +68,7 @@ fn run<C: Case>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
             };
             // The padding of the last lanes is not a state.
             let states = numbers.len() / numbers_of_state::<C::State>();
-            run.results.truncate(states * C::State::default().rates().len());
+            run.results.truncate(states * C::State::zero_position().rates().len());
             if results != "-" {
                 fs::write(results, to_bytes(&run.results))?;
             }
@@ -90,7 +90,7 @@ fn accelerations<C: Case>(
     samples: &[(C::State, C::Inputs)],
     budget: Duration,
 ) -> Result<Run, mstmm::Error> {
-    let mut rate = C::State::default();
+    let mut rate = C::State::zero_position();
     let mut results = Vec::new();
     for (state, inputs) in samples {
         chain.accelerations_into(state, inputs, &mut rate)?;

@@ -4,7 +4,7 @@ use std::env;
 use std::error::Error;
 use std::hint::black_box;
 
-use mstmm::Rk4;
+use mstmm::{ChainState, Rk4};
 use mstmm_benches::{
     Balls3, Balls10, Balls100, Case, Panda, Pins7, Pins30, Rods3, Rods10, Rods100, Rods1000,
     samples, with_cases, with_z,
@@ -39,7 +39,7 @@ fn run<C: Case<Scalar = f64>>(what: &str, count: usize) -> Result<(), Box<dyn Er
     let samples = samples.iter().cycle().take(count);
     match what {
         "accelerations" => {
-            let mut rate = C::State::default();
+            let mut rate = C::State::zero_position();
             for (state, inputs) in samples {
                 chain.accelerations_into(black_box(state), inputs, black_box(&mut rate))?;
             }

@@ -31,7 +31,11 @@ clone_and_debug!(LinearlyImplicitEuler { rate, result });
 impl<C: Chain> LinearlyImplicitEuler<C> {
     /// Makes an integrator with a step of `step` seconds. A negative step goes back in time, where dampers add energy.
     pub fn new(step: C::Scalar) -> Self {
-        Self { pace: Pace::new(step), rate: C::State::default(), result: C::State::default() }
+        Self {
+            pace: Pace::new(step),
+            rate: C::State::zero_position(),
+            result: C::State::zero_position(),
+        }
     }
 
     /// Returns the step size in s.

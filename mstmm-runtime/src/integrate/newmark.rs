@@ -52,10 +52,10 @@ impl<C: Chain> Newmark<C> {
             beta: C::Scalar::constant(0.25),
             gamma: C::Scalar::constant(0.5),
             iterations: 3,
-            first: C::State::default(),
-            last: C::State::default(),
-            mean: C::State::default(),
-            result: C::State::default(),
+            first: C::State::zero_position(),
+            last: C::State::zero_position(),
+            mean: C::State::zero_position(),
+            result: C::State::zero_position(),
         }
     }
 

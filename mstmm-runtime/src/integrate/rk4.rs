@@ -32,9 +32,9 @@ impl<C: Chain> Rk4<C> {
     pub fn new(step: C::Scalar) -> Self {
         Self {
             pace: Pace::new(step),
-            stage: C::State::default(),
-            rate: C::State::default(),
-            sum: C::State::default(),
+            stage: C::State::zero_position(),
+            rate: C::State::zero_position(),
+            sum: C::State::zero_position(),
         }
     }
 

@@ -31,7 +31,11 @@ clone_and_debug!(SemiImplicitEuler { rate, result });
 impl<C: Chain> SemiImplicitEuler<C> {
     /// Makes an integrator with a step of `step` seconds; a negative step goes back in time.
     pub fn new(step: C::Scalar) -> Self {
-        Self { pace: Pace::new(step), rate: C::State::default(), result: C::State::default() }
+        Self {
+            pace: Pace::new(step),
+            rate: C::State::zero_position(),
+            result: C::State::zero_position(),
+        }
     }
 
     /// Returns the step size in s.

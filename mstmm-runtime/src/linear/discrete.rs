@@ -231,7 +231,7 @@ pub fn discretize<C: Linearize<N, U>, const N: usize, const U: usize>(
 
     let unit = DiscreteModel::unit();
     let (mut model, mut sum) = (unit, DiscreteModel::zero());
-    let (mut stage, mut rate) = (state.clone(), C::State::default());
+    let (mut stage, mut rate) = (state.clone(), C::State::zero_position());
     let mut at = Linearization::default();
     // As in `Rk4`: for each stage its time, its weight in the mean of the rates in sixths, and the factor of its rate in
     // the next stage.

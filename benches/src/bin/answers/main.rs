@@ -48,7 +48,7 @@ fn run<A: Asked>(arguments: &[&str]) -> Result<(), Box<dyn Error>> {
             Ok(fs::write(path, to_bytes(&numbers))?)
         }
         ["repeat", _, count, question] => {
-            let rates = A::State::default().rates().len();
+            let rates = A::State::zero_position().rates().len();
             let state = random_states::<A::State>(1);
             let others = random_angles(5 * rates);
             let numbers = [state, others].concat();

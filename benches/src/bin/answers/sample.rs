@@ -28,7 +28,7 @@ where
     C: GeneratedChain<Scalar: Lanes>,
     C::State: Default,
 {
-    let mut state = C::State::default();
+    let mut state = C::State::zero_position();
     let coordinates = state.coordinates().len();
     let states: Vec<&[f64]> = numbers.chunks_exact(coordinates + 7 * N).collect();
     let side_by_side = |states: &[&[f64]]| {

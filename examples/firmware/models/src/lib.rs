@@ -45,7 +45,7 @@ pub trait Model: Chain<Scalar: Number> + Sized {
 
     /// Returns a random state: any angles and orientations, rates up to 2 rad/s.
     fn random_state(&self, random: &mut Random) -> Self::State {
-        let mut state = Self::State::default();
+        let mut state = Self::State::zero_position();
         let pi = <Self::Scalar as Scalar>::constant(core::f64::consts::PI);
         let two = <Self::Scalar as Scalar>::constant(2.0);
         state

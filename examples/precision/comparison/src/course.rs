@@ -83,7 +83,7 @@ where
     let steps = ((plan.between * COARSEST) as f64 / part) as usize;
     let mixed = Mixed { kept, computed };
     let mut rk4 = Rk4::new(K::Scalar::constant(part * plan.step));
-    let mut state = K::State::default();
+    let mut state = K::State::zero_position();
     convert(start, &mut state);
     let mut course = Course { instants: Vec::new(), stopped: None };
     for number in 0..=plan.instants {
@@ -118,7 +118,7 @@ where
     let mut at = kept.workspace();
     kept.solve_into(state, &K::inputs(inputs), &mut at)?;
     let positions = K::points(&at).iter().map(Reading::position).collect();
-    let mut in_double = D::State::default();
+    let mut in_double = D::State::zero_position();
     convert(state, &mut in_double);
     let mut at = double.workspace();
     double.solve_into(&in_double, &D::inputs(inputs), &mut at)?;

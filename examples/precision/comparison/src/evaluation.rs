@@ -31,7 +31,7 @@ pub fn evaluate<C: Subject>(
     inputs: &[f64],
 ) -> Result<Evaluation, Error> {
     let inputs = C::inputs(inputs);
-    let mut rate = C::State::default();
+    let mut rate = C::State::zero_position();
     chain.derivative_into(state, &inputs, &mut rate)?;
     let mut at = chain.workspace();
     chain.solve_into(state, &inputs, &mut at)?;
@@ -85,8 +85,8 @@ where
     let [mut accelerations, mut each, mut forces, mut moments, mut rounded] =
         [(); 5].map(|()| Vec::new());
     let (mut singular, mut refused, mut worst) = (0, 0, (0.0, None));
-    let mut state = D::State::default();
-    let mut in_single = S::State::default();
+    let mut state = D::State::zero_position();
+    let mut in_single = S::State::zero_position();
     let mut states = 0;
     for _ in 0..settings.states.saturating_mul(SINGULAR) {
         if states + refused == settings.states {

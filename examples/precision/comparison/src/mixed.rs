@@ -1,7 +1,7 @@
 //! A chain whose state has one precision and whose rates are computed in another, which separates the
 //! rounding errors of the step from those of the model.
 
-use mstmm::{Chain, Error};
+use mstmm::{Chain, ChainState, Error};
 
 use crate::subject::{Subject, convert};
 
@@ -22,7 +22,7 @@ impl<K: Subject, C: Subject> Chain for Mixed<'_, K, C> {
         (_, inputs): &Self::Inputs,
         rate: &mut K::State,
     ) -> Result<(), Error> {
-        let (mut at, mut found) = (C::State::default(), C::State::default());
+        let (mut at, mut found) = (C::State::zero_position(), C::State::zero_position());
         convert(state, &mut at);
         self.computed.derivative_into(&at, inputs, &mut found)?;
         convert(&found, rate);

@@ -12,6 +12,7 @@ use std::ops::Range;
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
+    let chain = &cx.names.chain;
     let doc = format!(" The state of [`{}`]: coordinates, rates and time.", cx.names.chain);
     let coordinates = usize_literal(cx.coordinates().total);
     let dof_count = usize_literal(cx.rates().total);
@@ -23,7 +24,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         ///
         #(#[doc = #order])*
         ///
-        /// [`Default`] is every hinge at rest in its zero position.
+        /// [`Default`] is the start of the description with default parameters, at time zero.
         #[derive(Clone, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
@@ -42,6 +43,12 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         }
         impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
             fn default() -> Self {
+                #chain::new().initial_state()
+            }
+        }
+        impl<T: #mstmm::Scalar> #mstmm::ChainState for #name<T> {
+            type Scalar = T;
+            fn zero_position() -> Self {
                 let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
                 let _ = one_;
                 Self {
@@ -50,9 +57,6 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                     t: zero_,
                 }
             }
-        }
-        impl<T: #mstmm::Scalar> #mstmm::ChainState for #name<T> {
-            type Scalar = T;
             #[inline]
             fn coordinates(&self) -> &[T] {
                 self.q.as_slice()

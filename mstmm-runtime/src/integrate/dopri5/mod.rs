@@ -104,7 +104,7 @@ impl<C: Chain> Dopri5<C> {
     /// `relative` is relative to each entry of the state, `absolute` is in the unit of the entry. One of them may be
     /// zero.
     pub fn new(relative: Real<C>, absolute: Real<C>) -> Self {
-        let state = |_| C::State::default();
+        let state = |_| C::State::zero_position();
         Self {
             relative,
             absolute,
@@ -112,12 +112,12 @@ impl<C: Chain> Dopri5<C> {
             statistics: Statistics::default(),
             detector: Detector::default(),
             steps: core::array::from_fn(|_| Stages {
-                start: C::State::default(),
+                start: C::State::zero_position(),
                 rates: core::array::from_fn(state),
             }),
             second: false,
-            scratch: C::State::default(),
-            end: C::State::default(),
+            scratch: C::State::zero_position(),
+            end: C::State::zero_position(),
             accepted: None,
         }
     }
