@@ -5,6 +5,7 @@
 pub mod answers;
 mod columns;
 pub mod description;
+mod formats;
 mod linkage;
 mod not_asked;
 
@@ -12,12 +13,24 @@ mod not_asked;
 pub use arrayvec::ArrayVec as LoopStore;
 
 pub use crate::description::Values;
+#[cfg(feature = "approx")]
+pub use crate::formats::closeness;
+#[cfg(feature = "serde")]
+pub use crate::formats::maps;
+pub use crate::formats::{Listing, ParameterRows};
 pub use crate::kinematics::{RateRun, inverse_of_positive, inverse_operational_space_inertia};
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
 pub use columns::columns;
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
+
+#[cfg(feature = "approx")]
+pub use approx;
+#[cfg(feature = "defmt")]
+pub use defmt;
+#[cfg(feature = "serde")]
+pub use serde_core as serde;
 
 use core::convert::identity;
 

@@ -111,6 +111,7 @@ pub mod description;
 mod dual;
 mod energy;
 mod error;
+mod formats;
 #[doc(hidden)]
 pub mod generated;
 pub mod hinge;

@@ -77,8 +77,8 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     /// Returns the value of a parameter by its index in [`Description::parameters`]; `None` if there is no such
     /// parameter.
     fn parameter(&self, index: usize) -> Option<Self::Scalar> {
-        let at = Self::DESCRIPTION.parameters.entry(index, |_| 1)?;
-        self.parameter_(at.number).get(at.repetition).copied()
+        let (row, repetition) = Self::DESCRIPTION.parameter_row(index)?;
+        self.parameter_(row).get(repetition).copied()
     }
 
     /// Sets a parameter by its index in [`Description::parameters`], as its setter does. Of a parameter with a value for
@@ -88,8 +88,8 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     /// [`Error::InvalidParameter`], as its setter. It names `index` if there is no such parameter. The previous value is
     /// kept.
     fn set_parameter(&mut self, index: usize, value: Self::Scalar) -> Result<(), Error> {
-        match Self::DESCRIPTION.parameters.entry(index, |_| 1) {
-            Some(at) => self.set_parameter_(at.number, (at.repetition, value)),
+        match Self::DESCRIPTION.parameter_row(index) {
+            Some((row, repetition)) => self.set_parameter_(row, (repetition, value)),
             None => no_parameter(),
         }
     }

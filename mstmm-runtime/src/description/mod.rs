@@ -270,6 +270,14 @@ impl Description {
     }
 }
 
+impl Description {
+    /// Returns row and repetition of a parameter.
+    pub(crate) fn parameter_row(&self, index: usize) -> Option<(usize, usize)> {
+        let at = self.parameters.entry(index, |_| 1)?;
+        Some((at.number, at.repetition))
+    }
+}
+
 /// The tables, for generated code.
 #[doc(hidden)]
 impl Description {

@@ -48,6 +48,18 @@ impl Display for Name {
 }
 
 impl Name {
+    /// Returns the path up to the index of the repetition and after it, the group and the component.
+    #[cfg(feature = "defmt")]
+    pub(crate) fn pieces(
+        &self,
+    ) -> ((&'static str, Option<&'static str>), &'static str, Option<char>) {
+        let path = match self.path.split_once("[]") {
+            None => (self.path, None),
+            Some((before, after)) => (before, Some(after)),
+        };
+        (path, self.group, self.component)
+    }
+
     fn write(&self, f: &mut impl Write) -> fmt::Result {
         match self.path.split_once("[]") {
             None => f.write_str(self.path)?,

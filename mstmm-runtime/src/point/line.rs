@@ -2,10 +2,12 @@
 
 use core::fmt;
 use core::marker::PhantomData;
+use core::slice::from_ref;
 
 use nalgebra::SVector;
 
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::rows::{Group, PointRow};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
@@ -131,6 +133,18 @@ impl<T: Default, R> LinePoint<T, R> {
     fn resting() -> Self {
         let z = LineStateVector::default();
         Self { position: T::default(), velocity: T::default(), z, results: PhantomData }
+    }
+}
+
+impl<T, R> LinePoint<T, R> {
+    /// Returns the rows of its table.
+    pub(crate) fn rows(&self) -> [PointRow<'_, T>; 4] {
+        [
+            (Group::Pose, "position", from_ref(&self.position), "m"),
+            (Group::Velocity, "velocity", from_ref(&self.velocity), "m/s"),
+            (Group::Z, "acceleration", from_ref(&self.z.acceleration), "m/s^2"),
+            (Group::Z, "force", from_ref(&self.z.force), "N"),
+        ]
     }
 }
 

@@ -4,6 +4,7 @@ mod body_point;
 mod line;
 mod plane;
 mod results;
+mod rows;
 mod slots;
 mod space;
 
@@ -11,6 +12,7 @@ pub use body_point::BodyPoint;
 pub use line::{LinePoint, LineStateVector};
 pub use plane::{PlanePoint, PlaneStateVector};
 pub use results::{AllResults, HasPoses, HasVelocities, HasZ, Results};
+pub(crate) use rows::{Group, PointRow};
 #[doc(hidden)]
 pub use slots::{PointSlots, vector_at};
 pub use space::{Point, StateVector};

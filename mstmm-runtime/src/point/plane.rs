@@ -2,10 +2,12 @@
 
 use core::fmt;
 use core::marker::PhantomData;
+use core::slice::from_ref;
 
 use nalgebra::{Matrix2, Rotation2, SVector, Vector2};
 
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::rows::{Group, PointRow};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
@@ -219,6 +221,23 @@ impl<T: Scalar, R> PlanePoint<T, R> {
             z: PlaneStateVector::default(),
             results: PhantomData,
         }
+    }
+}
+
+impl<T, R> PlanePoint<T, R> {
+    /// Returns the rows of its table.
+    pub(crate) fn rows(&self) -> [PointRow<'_, T>; 8] {
+        let z = &self.z;
+        [
+            (Group::Pose, "position", &self.position, "m"),
+            (Group::Pose, "cosine and sine", &self.cos_sin, ""),
+            (Group::Velocity, "velocity", &self.velocity, "m/s"),
+            (Group::Velocity, "angular velocity", from_ref(&self.angular_velocity), "rad/s"),
+            (Group::Z, "acceleration", &z.acceleration, "m/s^2"),
+            (Group::Z, "angular acceleration", from_ref(&z.angular_acceleration), "rad/s^2"),
+            (Group::Z, "force", &z.force, "N"),
+            (Group::Z, "moment", from_ref(&z.moment), "N*m"),
+        ]
     }
 }
 

@@ -6,6 +6,7 @@ use core::marker::PhantomData;
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 
 use super::results::{AllResults, HasPoses, HasVelocities, HasZ, Results, show};
+use super::rows::{Group, PointRow};
 use super::slots::{PointSlots, difference, vector_at};
 use crate::Scalar;
 
@@ -216,6 +217,25 @@ impl<T: Scalar, R> Point<T, R> {
             z: StateVector::default(),
             results: PhantomData,
         }
+    }
+}
+
+impl<T, R> Point<T, R> {
+    /// Returns the rows of its table.
+    pub(crate) fn rows(&self) -> [PointRow<'_, T>; 10] {
+        let (z, [first, second, third]) = (&self.z, &self.rotation);
+        [
+            (Group::Pose, "position", &self.position, "m"),
+            (Group::Pose, "orientation", first, ""),
+            (Group::Pose, "", second, ""),
+            (Group::Pose, "", third, ""),
+            (Group::Velocity, "velocity", &self.velocity, "m/s"),
+            (Group::Velocity, "angular velocity", &self.angular_velocity, "rad/s"),
+            (Group::Z, "acceleration", &z.acceleration, "m/s^2"),
+            (Group::Z, "angular acceleration", &z.angular_acceleration, "rad/s^2"),
+            (Group::Z, "force", &z.force, "N"),
+            (Group::Z, "moment", &z.moment, "N*m"),
+        ]
     }
 }
 

@@ -458,7 +458,7 @@ impl<T: ::mstmm::Scalar> ::core::ops::Deref for Pendulum<T> {
 /// |---|---|---|
 /// | `joint` | 0 | 0 |
 ///
-/// [`Default`] is every hinge at rest in its zero position.
+/// [`Default`] is the start of the description with default parameters, at time zero.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(dead_code, non_snake_case)]
 pub struct PendulumState<T> {
@@ -491,6 +491,12 @@ impl<T: ::mstmm::Scalar> PendulumState<T> {
 }
 impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
     fn default() -> Self {
+        Pendulum::new().initial_state()
+    }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
+    type Scalar = T;
+    fn zero_position() -> Self {
         let (zero_, one_) = (T::constant(0.0), T::constant(1.0));
         let _ = one_;
         Self {
@@ -499,9 +505,6 @@ impl<T: ::mstmm::Scalar> ::core::default::Default for PendulumState<T> {
             t: zero_,
         }
     }
-}
-impl<T: ::mstmm::Scalar> ::mstmm::ChainState for PendulumState<T> {
-    type Scalar = T;
     #[inline]
     fn coordinates(&self) -> &[T] {
         self.q.as_slice()
@@ -757,11 +760,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
         values_.once(&mut inputs_.joint);
     }
     fn parameter_(&self, row_: ::core::primitive::usize) -> &[T] {
-        let parameters_ = self.parameters();
-        match row_ {
-            0 => ::core::slice::from_ref(&parameters_.payload),
-            _ => &[],
-        }
+        ::mstmm::generated::ParameterRows::row_(self.parameters(), row_)
     }
     fn set_parameter_(
         &mut self,
@@ -808,6 +807,17 @@ impl<T: ::mstmm::Scalar> ::mstmm::Answers for Pendulum<T> {
     > {
         ::core::option::Option::None
     }
+}
+impl<T: ::mstmm::Scalar> ::mstmm::generated::ParameterRows<T> for PendulumParameters<T> {
+    fn row_(&self, row_: ::core::primitive::usize) -> &[T] {
+        match row_ {
+            0 => ::core::slice::from_ref(&self.payload),
+            _ => &[],
+        }
+    }
+}
+::mstmm::formats_of_chain_! {
+    Pendulum PendulumState 3 PendulumInputs 1 PendulumParameters 1
 }
 const _: () = {
     #[allow(dead_code)]

@@ -12,11 +12,12 @@ mod values;
 use super::EmitContext;
 use super::arrays::usize_literal;
 use super::docs;
+use crate::model::{Input, Parameter};
 use proc_macro2::TokenStream;
 use quote::quote;
 use row::{runs, table};
 
-/// Returns the implementation of `Described`.
+/// Returns the implementations of `Described` and of the formats of states, inputs and parameters.
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
     let chain = name.to_string();
@@ -41,6 +42,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let by_name = answers::emit(cx);
     let change = inertia::changes(cx);
     let results = results::emit(cx);
+    let (rows, formats) = (values::parameter_rows(cx), formats(cx));
     let [copy, parameters] = [values::inputs(cx), values::parameters(cx)];
     quote! {
         #[allow(clippy::all)]
@@ -57,5 +59,30 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #parameters
         }
         #by_name
+        #rows
+        #formats
+    }
+}
+
+/// Returns the call of the macro that implements the formats of the features that are on.
+fn formats(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (chain, state) = (&cx.names.chain, &cx.names.state);
+    let (inputs, parameters) = (&cx.names.inputs, &cx.names.parameters);
+    let of_parameter = |parameter: &Parameter| parameter.repetitions.unwrap_or(1);
+    let of_input = |input: &Input| {
+        let repeat = cx.chain.repeat_of_input(input.what);
+        input.range.len() * repeat.map_or(1, |repeat| cx.chain.repeats[repeat].count)
+    };
+    let counts = [
+        cx.coordinates().total + cx.rates().total + 1,
+        cx.layout.inputs.iter().map(of_input).sum(),
+        cx.chain.parameters.iter().map(of_parameter).sum(),
+    ];
+    let [of_state, of_inputs, of_parameters] = counts.map(usize_literal);
+    quote! {
+        #mstmm::formats_of_chain_! {
+            #chain #state #of_state #inputs #of_inputs #parameters #of_parameters
+        }
     }
 }

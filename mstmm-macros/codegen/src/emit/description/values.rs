@@ -41,6 +41,34 @@ pub fn inputs(cx: &EmitContext) -> TokenStream {
     }
 }
 
+/// Returns the implementation of `ParameterRows` for the parameters.
+pub fn parameter_rows(cx: &EmitContext) -> TokenStream {
+    let (mstmm, name) = (&cx.mstmm, &cx.names.parameters);
+    let parameters = &cx.chain.parameters;
+    let read = parameters.iter().enumerate().map(|(row, parameter)| {
+        let (row, name) = (usize_literal(row), &parameter.name);
+        match parameter.repetitions {
+            None => quote!(#row => ::core::slice::from_ref(&self.#name),),
+            Some(_) => quote!(#row => &self.#name,),
+        }
+    });
+    let read = (!parameters.is_empty()).then(|| {
+        quote! {
+            fn row_(&self, row_: ::core::primitive::usize) -> &[T] {
+                match row_ {
+                    #(#read)*
+                    _ => &[],
+                }
+            }
+        }
+    });
+    quote! {
+        impl<T: #mstmm::Scalar> #mstmm::generated::ParameterRows<T> for #name<T> {
+            #read
+        }
+    }
+}
+
 /// Returns the methods that read and set a parameter, if there are any.
 pub fn parameters(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
@@ -48,13 +76,6 @@ pub fn parameters(cx: &EmitContext) -> TokenStream {
     if parameters.is_empty() {
         return TokenStream::new();
     }
-    let read = parameters.iter().enumerate().map(|(row, parameter)| {
-        let (row, name) = (usize_literal(row), &parameter.name);
-        match parameter.repetitions {
-            None => quote!(#row => ::core::slice::from_ref(&parameters_.#name),),
-            Some(_) => quote!(#row => &parameters_.#name,),
-        }
-    });
     let set = parameters.iter().enumerate().map(|(row, Parameter { name, repetitions, .. })| {
         let (row, set) = (usize_literal(row), format_ident!("set_{name}"));
         match repetitions {
@@ -70,11 +91,7 @@ pub fn parameters(cx: &EmitContext) -> TokenStream {
     let usize = quote!(::core::primitive::usize);
     quote! {
         fn parameter_(&self, row_: #usize) -> &[T] {
-            let parameters_ = self.parameters();
-            match row_ {
-                #(#read)*
-                _ => &[],
-            }
+            #mstmm::generated::ParameterRows::row_(self.parameters(), row_)
         }
         fn set_parameter_(
             &mut self,

@@ -1,0 +1,84 @@
+//! Errors, names, states and points in the logs of microcontrollers, by `defmt`.
+
+use defmt::{Format, Formatter, write};
+
+use super::labels::{Label, TIME};
+use super::listing::Listing;
+use super::point_tables::shown;
+use crate::description::Name;
+use crate::point::{LinePoint, PlanePoint, Point, Results};
+use crate::{Error, Scalar};
+
+impl<T: Scalar + Format, const N: usize> Format for Listing<T, N> {
+    fn format(&self, f: Formatter<'_>) {
+        let mut separator = "";
+        for (label, value, unit) in self.entries() {
+            write!(f, "{=str}{} = {} {=str}", separator, label, value, unit);
+            separator = ", ";
+        }
+    }
+}
+
+impl Format for Label {
+    fn format(&self, f: Formatter<'_>) {
+        match self {
+            Label::Of(name) => name.format(f),
+            Label::Time => write!(f, "{=str}", TIME),
+        }
+    }
+}
+
+impl Format for Name {
+    fn format(&self, f: Formatter<'_>) {
+        let ((path, after), group, component) = self.pieces();
+        write!(f, "{=str}", path);
+        if let (Some(after), Some(repetition)) = (after, self.repetition()) {
+            write!(f, "[{=usize}]{=str}", repetition, after);
+        }
+        if !group.is_empty() {
+            write!(f, ".{=str}", group);
+        }
+        if let Some(component) = component {
+            write!(f, ".{=char}", component);
+        }
+    }
+}
+
+/// Implements the trait for connection points.
+macro_rules! points {
+    ($($point:ident)*) => { $(
+        impl<T: Format, const P: bool, const V: bool, const Z: bool> Format
+            for $point<T, Results<P, V, Z>>
+        {
+            fn format(&self, f: Formatter<'_>) {
+                let mut separator = "";
+                for row in shown(&self.rows(), [P, V, Z]) {
+                    write!(f, "{=str}{=str} {=[?]} {=str}", separator, row.label, row.values, row.unit);
+                    separator = ", ";
+                }
+            }
+        }
+    )* };
+}
+
+points! { Point PlanePoint LinePoint }
+
+/// Writes the variant with its names.
+impl Format for Error {
+    fn format(&self, f: Formatter<'_>) {
+        match *self {
+            Error::Singular { hinge } => write!(f, "Singular hinge {=str}", hinge),
+            Error::NotFinite => write!(f, "NotFinite"),
+            Error::InvalidQuaternion { hinge } => write!(f, "InvalidQuaternion of {=str}", hinge),
+            Error::InvalidParameter { name, reason } => {
+                write!(f, "InvalidParameter {=str} {=str}", name, reason);
+            }
+            Error::StepTooSmall => write!(f, "StepTooSmall"),
+            Error::OutsideStep => write!(f, "OutsideStep"),
+            Error::NotAssembled => write!(f, "NotAssembled"),
+            Error::ClosureRank { hinge } => write!(f, "ClosureRank of hinge {=str}", hinge),
+            Error::SingularMatrix => write!(f, "SingularMatrix"),
+            Error::NotStabilizable => write!(f, "NotStabilizable"),
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! `Display`: tables with names, aligned values and units.
+
+use mstmm_formats::{Arm, ArmState, Rope, RopeState, Weight, WeightState};
+
+#[test]
+fn states_are_tables() {
+    let text = ArmState::<f64>::default().to_string();
+    let expected = "\
+shoulder.angle   0.5236 rad
+rail.position    0.1250 m
+shoulder.rate    0.0000 rad/s
+rail.velocity   -2.0000 m/s
+time             0.0000 s";
+    assert_eq!(text, expected);
+    let text = format!("{:+.1}", WeightState::<f32> { t: 12.5, ..Default::default() });
+    assert_eq!(text, "hold.position   +0.0 m\nhold.velocity   +0.0 m/s\ntime           +12.5 s");
+    let text = format!("{:.2e}", ArmState::<f64>::default());
+    assert!(text.starts_with("shoulder.angle  5.24e-1 rad\n"), "{text}");
+}
+
+#[test]
+fn repeated_hinges_and_quaternions_have_their_names() {
+    let text = RopeState::<f64>::default().to_string();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 13 * 7 + 2 + 1);
+    assert_eq!(lines[48], "joint[12].orientation.w  1.0000");
+    let has = |name: &str| lines.iter().any(|line| line.starts_with(name));
+    assert!(has("joint[12].rate.z ") && has("hook.angle ") && !has("joint[13]"));
+}
+
+#[test]
+fn inputs_and_parameters_are_tables() {
+    let mut arm = Arm::<f64>::new();
+    arm.set_payload(0.75).expect("a mass");
+    assert_eq!(arm.parameters().to_string(), "payload  0.7500 kg\nreach    0.4000 m");
+    let mut inputs = arm.no_inputs();
+    (inputs.shoulder, inputs.push_force.z) = (3.0, -4.5);
+    let expected = "\
+shoulder       3.0000 N*m
+push.force.x   0.0000 N
+push.force.y   0.0000 N
+push.force.z  -4.5000 N";
+    assert_eq!(inputs.to_string(), expected);
+    let mut rope = Rope::<f64>::new();
+    rope.set_stiffness(|index| index as f64).expect("damping");
+    let text = rope.parameters().to_string();
+    assert_eq!(text.lines().count(), 13);
+    assert!(text.ends_with("stiffness[12]  12.0000 N*m*s/rad"), "{text}");
+    let none = Weight::<f64>::new();
+    assert_eq!(format!("{}{}", none.no_inputs(), none.parameters()), "");
+}
+
+/// The spring pulls the block down with 10 N.
+#[test]
+fn points_on_a_line_are_tables() -> Result<(), mstmm::Error> {
+    let weight = Weight::<f64>::new();
+    let mut state = weight.initial_state();
+    state.hold_mut().set_position(0.1).set_velocity(-3.0);
+    let mut at = weight.workspace();
+    weight.solve_into(&state, &weight.no_inputs(), &mut at)?;
+    let expected = "\
+position        0.10 m
+velocity       -3.00 m/s
+acceleration  -19.81 m/s^2
+force         -10.00 N";
+    assert_eq!(format!("{:.2}", at.block().input()), expected);
+    Ok(())
+}
+
+/// Every line has what the accessors say.
+#[test]
+fn points_in_space_are_tables() -> Result<(), mstmm::Error> {
+    let arm = Arm::<f64>::new();
+    let mut state = arm.initial_state();
+    state.shoulder_mut().set_rate(1.5);
+    let mut inputs = arm.no_inputs();
+    inputs.push_force.y = 7.0;
+    let mut at = arm.workspace();
+    arm.solve_into(&state, &inputs, &mut at)?;
+    let point = at.lower().input();
+    let rows =
+        point.orientation().matrix().row_iter().map(|row| row.transpose()).collect::<Vec<_>>();
+    let expected = [
+        ("position", point.position(), " m"),
+        ("orientation", rows[0], ""),
+        ("", rows[1], ""),
+        ("", rows[2], ""),
+        ("velocity", point.velocity(), " m/s"),
+        ("angular velocity", point.angular_velocity(), " rad/s"),
+        ("acceleration", point.acceleration(), " m/s^2"),
+        ("angular acceleration", point.angular_acceleration(), " rad/s^2"),
+        ("force", point.force(), " N"),
+        ("moment", point.moment(), " N*m"),
+    ];
+    let text = format!("{point:.3}");
+    assert_eq!(text.lines().count(), expected.len(), "{text}");
+    let width = expected.iter().flat_map(|(_, v, _)| v.iter()).map(|v| format!("{v:.3}").len());
+    let width = 2 + width.max().expect("some values");
+    for (line, (label, v, unit)) in text.lines().zip(&expected) {
+        let [x, y, z] = [v.x, v.y, v.z].map(|value| format!("{value:>width$.3}"));
+        assert_eq!(line, format!("{label:20}{x}{y}{z}{unit}"), "{text}");
+    }
+    assert!(point.force().norm() > 1.0 && point.moment().norm() > 1.0);
+    Ok(())
+}
