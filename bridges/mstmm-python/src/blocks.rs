@@ -188,7 +188,7 @@ impl<C: Answers<Scalar = Lanes>> Model<C> {
         memory: &mut Memory<C>,
     ) -> Result<(), Stop> {
         let row = |lane: usize| if first + lane < last { first + lane } else { first };
-        let mut state = C::State::default();
+        let mut state = C::State::zero_position();
         let count = state.coordinates().len();
         let stride = count + state.rates().len();
         let entry = |index: usize| gather(rows.states, |lane| row(lane) * stride + index);
@@ -308,7 +308,7 @@ impl<C: Answers<Scalar = Lanes>> Model<C> {
         match work {
             Work::Steps { .. } => {}
             Work::Accelerations => {
-                let mut rate = C::State::default();
+                let mut rate = C::State::zero_position();
                 chain.derivative_into(state, inputs, &mut rate)?;
                 result.iter_mut().zip(rate.rates()).for_each(|(to, value)| *to = *value);
             }
