@@ -2,6 +2,7 @@
 
 pub mod commands;
 pub mod export;
+pub mod header;
 pub mod import;
 pub mod messages;
 pub mod new;

@@ -1,6 +1,6 @@
 //! `cargo mstmm`: see the readme.
 
-use cargo_mstmm::commands::{check, export, import, new, python, show};
+use cargo_mstmm::commands::{check, export, header, import, new, python, show};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
@@ -26,6 +26,7 @@ enum Command {
     Show(show::Show),
     Import(import::Import),
     Export(export::Export),
+    Header(header::Header),
     Python(python::Python),
 }
 
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Command::Show(arguments) => show::run(arguments),
         Command::Import(arguments) => import::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Header(arguments) => header::run(arguments),
         Command::Python(arguments) => python::run(arguments),
     };
     match result {

@@ -8,10 +8,11 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 
 use mstmm::{Error, Rk4};
-use mstmm_arm::{Arm, Chain, ChainInputs, Inputs, Point, Real, Results, State, Status};
+use mstmm_arm::mstmm_arm::{Inputs, Model, Point, Results, State};
+use mstmm_arm::{Arm, ArmInputs, Real, Status};
 
 const PACKAGE: &str = env!("CARGO_MANIFEST_DIR");
-const FLAGS: &str = "-std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -Iinclude";
+const FLAGS: &str = "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -Iinclude";
 
 /// The static library as firmware uses it; `cargo test` builds no static library.
 static LIBRARY: LazyLock<PathBuf> = LazyLock::new(|| {
@@ -53,7 +54,7 @@ fn run(source: &str) -> Option<String> {
 fn main_in_rust() -> Result<Vec<Real>, Error> {
     let (target, stiffness, damping) =
         ([0.5, -0.5, 1.25], [200.0, 400.0, 200.0], [40.0, 60.0, 20.0]);
-    let mut chain = Chain::<Real>::new();
+    let mut chain = Arm::<Real>::new();
     chain.set_payload_mass(3.0)?;
     let mut state = chain.initial_state();
     let mut rk4 = Rk4::new(1e-3);
@@ -62,7 +63,7 @@ fn main_in_rust() -> Result<Vec<Real>, Error> {
         let [waist, shoulder, elbow] = std::array::from_fn(|i| {
             stiffness[i] * (target[i] - state.q[i]) - damping[i] * state.v[i]
         });
-        inputs = ChainInputs { waist, shoulder, elbow };
+        inputs = ArmInputs { waist, shoulder, elbow };
         rk4.step(&chain, &mut state, |_, _| inputs)?;
     }
     let mut at = chain.workspace();
@@ -113,10 +114,10 @@ fn both_have_the_same_in_the_same_places() {
     }
     let in_rust = layout! {
         "mstmm_status" Status { code hinge }
-        "mstmm_arm" Arm {}
+        "mstmm_arm" Model {}
         "mstmm_arm_state" State { q v t }
-        "mstmm_arm_inputs" Inputs { torque }
-        "mstmm_point" Point {
+        "mstmm_arm_inputs" Inputs { u }
+        "mstmm_arm_point" Point {
             position orientation velocity angular_velocity
             acceleration angular_acceleration moment force
         }

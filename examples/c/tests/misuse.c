@@ -46,10 +46,20 @@ static void null_pointers(void)
     const int32_t code = MSTMM_NULL_POINTER;
     remember();
     CHECK(refused(mstmm_arm_init(NULL, 1e-3f), code, -1));
+    CHECK(refused(mstmm_arm_set_step(NULL, 1e-3f), code, -1));
+    CHECK(refused(mstmm_arm_no_inputs(NULL), code, -1));
     CHECK(refused(mstmm_arm_initial_state(NULL, &state), code, -1));
     CHECK(refused(mstmm_arm_initial_state(&arm, NULL), code, -1));
     CHECK(refused(mstmm_arm_set_payload_mass(NULL, 1.0f), code, -1));
     CHECK(refused(mstmm_arm_set_payload_spin(NULL, 1.0f), code, -1));
+    mstmm_real value = 7.0f;
+    CHECK(refused(mstmm_arm_get_payload_mass(NULL, &value), code, -1) && value == 7.0f);
+    CHECK(refused(mstmm_arm_get_payload_mass(&arm, NULL), code, -1));
+    mstmm_real accelerations[MSTMM_ARM_RATES];
+    CHECK(refused(mstmm_arm_accelerations(NULL, &state, &inputs, accelerations), code, -1));
+    CHECK(refused(mstmm_arm_accelerations(&arm, NULL, &inputs, accelerations), code, -1));
+    CHECK(refused(mstmm_arm_accelerations(&arm, &state, NULL, accelerations), code, -1));
+    CHECK(refused(mstmm_arm_accelerations(&arm, &state, &inputs, NULL), code, -1));
     CHECK(refused(mstmm_arm_step(NULL, &state, &inputs), code, -1));
     CHECK(refused(mstmm_arm_step(&arm, NULL, &inputs), code, -1));
     CHECK(refused(mstmm_arm_step(&arm, &state, NULL), code, -1));
@@ -73,11 +83,14 @@ static void numbers(void)
     for (int i = 0; i < 3; ++i) {
         remember();
         CHECK(refused(mstmm_arm_init(&arm, STRANGE[i]), MSTMM_NOT_FINITE, -1));
+        CHECK(refused(mstmm_arm_set_step(&arm, STRANGE[i]), MSTMM_NOT_FINITE, -1));
         CHECK(refused(mstmm_arm_set_payload_mass(&arm, STRANGE[i]), MSTMM_PARAMETER, -1));
         CHECK(refused(mstmm_arm_set_payload_spin(&arm, STRANGE[i]), MSTMM_PARAMETER, -1));
 
-        mstmm_real *places[] = {&state.q[MSTMM_ARM_ELBOW], &state.q[MSTMM_ARM_HOOK],
-                                &state.v[MSTMM_ARM_WAIST], &state.t, &inputs.torque[0]};
+        mstmm_real *places[] = {&state.q[MSTMM_ARM_Q_ELBOW_ANGLE],
+                                &state.q[MSTMM_ARM_Q_HOOK_ORIENTATION_W],
+                                &state.v[MSTMM_ARM_V_WAIST_RATE], &state.t,
+                                &inputs.u[MSTMM_ARM_U_WAIST]};
         for (size_t place = 0; place < sizeof places / sizeof *places; ++place) {
             mstmm_real kept = *places[place];
             *places[place] = STRANGE[i];
@@ -88,14 +101,29 @@ static void numbers(void)
         }
     }
     /* Finite, with results that are not finite. */
-    state.v[MSTMM_ARM_WAIST] = 1e30f;
+    state.v[MSTMM_ARM_V_WAIST_RATE] = 1e30f;
     remember();
     CHECK(step_refused(MSTMM_NOT_FINITE, -1));
     CHECK(done(mstmm_arm_initial_state(&arm, &state)));
 }
 
+/* A quaternion that is not a rotation. */
+static void quaternions(void)
+{
+    for (int i = 0; i < 4; ++i) {
+        state.q[MSTMM_ARM_Q_HOOK_ORIENTATION_W + i] = 0.0f;
+    }
+    remember();
+    CHECK(step_refused(MSTMM_QUATERNION, MSTMM_ARM_HINGE_HOOK));
+    CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_QUATERNION,
+                  MSTMM_ARM_HINGE_HOOK));
+    CHECK(done(mstmm_arm_initial_state(&arm, &state)));
+}
+
 static void parameters(void)
 {
+    mstmm_real value = 7.0f;
+    CHECK(done(mstmm_arm_get_payload_mass(&arm, &value)) && value == 2.0f);
     remember();
     CHECK(refused(mstmm_arm_set_payload_mass(&arm, 0.0f), MSTMM_PARAMETER, -1));
     CHECK(refused(mstmm_arm_set_payload_mass(&arm, -1.0f), MSTMM_PARAMETER, -1));
@@ -106,8 +134,8 @@ static void parameters(void)
     for (int rod = 0; rod < 2; ++rod) {
         CHECK(done(mstmm_arm_set_payload_spin(&arm, thin[rod])));
         remember();
-        CHECK(step_refused(MSTMM_SINGULAR, MSTMM_ARM_HOOK));
-        CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_SINGULAR, MSTMM_ARM_HOOK));
+        CHECK(step_refused(MSTMM_SINGULAR, MSTMM_ARM_HINGE_HOOK));
+        CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_SINGULAR, MSTMM_ARM_HINGE_HOOK));
     }
     CHECK(done(mstmm_arm_set_payload_spin(&arm, 0.01f)));
     CHECK(done(mstmm_arm_step(&arm, &state, &inputs)));
@@ -135,15 +163,20 @@ static void names(void)
     NAMED(MSTMM_NOT_FINITE);
     NAMED(MSTMM_SINGULAR);
     NAMED(MSTMM_PARAMETER);
+    NAMED(MSTMM_QUATERNION);
+    NAMED(MSTMM_INDEX);
+    NAMED(MSTMM_NOT_ASSEMBLED);
+    NAMED(MSTMM_CLOSURE_RANK);
     NAMED(MSTMM_OTHER);
-    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_WAIST), "waist"));
-    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_SHOULDER), "shoulder"));
-    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_ELBOW), "elbow"));
-    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HOOK), "hook"));
-    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_MOUNT), "mount"));
-    static const int32_t NONE[] = {-1, INT32_MIN, INT32_MAX, 6};
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HINGE_WAIST), "waist"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HINGE_SHOULDER), "shoulder"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HINGE_ELBOW), "elbow"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HINGE_HOOK), "hook"));
+    CHECK(!strcmp(mstmm_arm_hinge_name(MSTMM_ARM_HINGE_MOUNT), "mount"));
+    static const int32_t NONE[] = {-1, INT32_MIN, INT32_MAX, MSTMM_OTHER + 1};
     for (int i = 0; i < 4; ++i) {
         CHECK(!strcmp(mstmm_code_name(NONE[i]), ""));
+        CHECK(!strcmp(mstmm_code_message(NONE[i]), ""));
         CHECK(!strcmp(mstmm_arm_hinge_name(NONE[i]), ""));
     }
 }
@@ -151,11 +184,15 @@ static void names(void)
 int main(void)
 {
     CHECK(mstmm_arm_size() == sizeof arm);
-    CHECK(done(mstmm_arm_init(&arm, 1e-3f)));
+    CHECK(done(mstmm_arm_init(&arm, 2.0f)));
+    CHECK(done(mstmm_arm_set_step(&arm, 1e-3f)));
+    inputs.u[MSTMM_ARM_U_WAIST] = 1.0f;
+    CHECK(done(mstmm_arm_no_inputs(&inputs)) && inputs.u[MSTMM_ARM_U_WAIST] == 0.0f);
     CHECK(done(mstmm_arm_initial_state(&arm, &state)));
     CHECK(done(mstmm_arm_solve(&arm, &state, &inputs, &at)));
     null_pointers();
     numbers();
+    quaternions();
     parameters();
     copies();
     names();

@@ -1,7 +1,9 @@
 //! The subcommands, one file for each.
 
 pub mod check;
+pub mod dependency;
 pub mod export;
+pub mod header;
 pub mod import;
 pub mod new;
 pub mod python;

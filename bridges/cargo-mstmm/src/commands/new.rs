@@ -4,9 +4,10 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use super::dependency::DependencyArguments;
 use super::{Failure, read};
 use crate::import::{Options, import};
-use crate::new::{Dependency, FIRST, program};
+use crate::new::{FIRST, program};
 use crate::source::Source;
 
 /// Make a project that simulates a chain
@@ -32,19 +33,11 @@ pub struct New {
     /// The root link of the URDF file is a free body instead of the ground
     #[arg(long, requires = "urdf")]
     floating: bool,
-    /// Depend on the crate mstmm in this folder; without `--path`, `--git` and `--version` on the checkout that this
-    /// command was built from
-    #[arg(long, value_name = "FOLDER")]
-    path: Option<PathBuf>,
-    /// Depend on the crate mstmm in this git repository
-    #[arg(long, value_name = "URL", conflicts_with_all = ["path", "version"])]
-    git: Option<String>,
-    /// Depend on this version of the crate mstmm in the registry
-    #[arg(long, value_name = "VERSION", conflicts_with = "path")]
-    version: Option<String>,
     /// The version control of `cargo new`: git, hg, pijul, fossil or none
     #[arg(long, value_name = "VCS")]
     vcs: Option<String>,
+    #[command(flatten)]
+    dependency: DependencyArguments,
 }
 
 /// Runs the command.
@@ -62,7 +55,7 @@ pub fn run(arguments: &New) -> Result<(), Failure> {
     };
     let text = source.inside().map_err(|message| Failure(message.message))?;
     let program = program(chain, text, &origin);
-    let dependency = dependency(arguments)?;
+    let dependency = arguments.dependency.choose()?;
     cargo_new(arguments)?;
     let folder = &arguments.folder;
     let manifest = folder.join("Cargo.toml");
@@ -93,20 +86,6 @@ fn chain(arguments: &New) -> Result<(Source, String), Failure> {
         eprintln!("warning: {shown}: {warning}");
     }
     Ok((Source::new(&shown, &imported.text), name(file)))
-}
-
-/// Returns the requirement that the arguments ask for.
-fn dependency(arguments: &New) -> Result<Dependency, Failure> {
-    if let Some(path) = &arguments.path {
-        return Dependency::in_folder(path);
-    }
-    if let Some(url) = &arguments.git {
-        return Ok(Dependency::Git(url.clone()));
-    }
-    Ok(match &arguments.version {
-        Some(version) => Dependency::Version(version.clone()),
-        None => Dependency::default(),
-    })
 }
 
 /// Makes the package by `cargo new`, whose messages are those of this command.

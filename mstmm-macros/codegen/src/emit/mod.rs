@@ -36,6 +36,7 @@ mod sealed;
 mod spring;
 mod state;
 mod statement;
+mod tables;
 mod variation;
 mod warning;
 mod workspace;
@@ -53,6 +54,7 @@ pub use error_types::error_types;
 use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+pub use tables::{Entry, HingeRow, NamedArray, Tables, tables};
 pub use warning::warning;
 
 /// The inputs of all modules that write parts of the expansion.
@@ -80,20 +82,16 @@ pub fn expand(
     findings: &Findings,
     mstmm: &TokenStream,
 ) -> TokenStream {
-    let names = TypeNames::of(chain);
-    let unknowns = compiled.unknowns.iter().map(|unknown| variable(&unknown.name)).collect();
-    let layouts = ArrayLayouts::of(chain, layout, compiled);
-    let body_reports = BodyReports::of(chain, &compiled.point_storage.of);
     let cx = EmitContext {
         chain,
         passthrough,
         layout,
         compiled,
         findings,
-        names,
-        layouts,
-        body_reports,
-        unknowns,
+        names: TypeNames::of(chain),
+        layouts: ArrayLayouts::of(chain, layout, compiled),
+        body_reports: BodyReports::of(chain, &compiled.point_storage.of),
+        unknowns: compiled.unknowns.iter().map(|unknown| variable(&unknown.name)).collect(),
         mstmm,
     };
     let constructor = constructor::emit(&cx);

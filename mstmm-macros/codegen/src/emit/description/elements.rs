@@ -2,7 +2,7 @@
 
 use super::super::EmitContext;
 use super::row::{Row, default, indexed};
-use crate::ids::{HingeId, PointId};
+use crate::ids::{HingeId, PointId, RepeatId};
 use crate::model::{
     ANSWER_WORDS, Attachment, Body, BodyId, DofGroup, Element, Hinge, Representation, Value,
 };
@@ -11,11 +11,9 @@ use quote::{format_ident, quote};
 
 /// Returns the kinds of hinges that occur, and the table of hinges.
 pub fn hinges(cx: &EmitContext) -> (TokenStream, Vec<Row>) {
-    let hinges = cx.chain.hinges.enumerate();
-    let described = hinges.filter(|(_, hinge)| cx.chain.repeat_boundary(&hinge.outboard).is_none());
     let mut kinds: Vec<&'static str> = Vec::new();
     let (mut items, mut rows) = (TokenStream::new(), Vec::new());
-    for (id, hinge) in described {
+    for (id, hinge) in described_hinges(cx) {
         let spec = hinge.kind.spec();
         if !kinds.contains(&spec.word) {
             kinds.push(spec.word);
@@ -28,6 +26,12 @@ pub fn hinges(cx: &EmitContext) -> (TokenStream, Vec<Row>) {
         rows.push(row(cx, id, hinge));
     }
     (items, rows)
+}
+
+/// Returns the hinges of the table: all but the welds at the ends of repeated parts.
+pub fn described_hinges<'a>(cx: &'a EmitContext) -> impl Iterator<Item = (HingeId, &'a Hinge)> {
+    let hinges = cx.chain.hinges.enumerate();
+    hinges.filter(|(_, hinge)| cx.chain.repeat_boundary(&hinge.outboard).is_none())
 }
 
 /// Returns the constant of a kind.
@@ -105,6 +109,12 @@ pub fn springs(cx: &EmitContext) -> Vec<Row> {
 
 /// Returns the table of connection points.
 pub fn points(cx: &EmitContext) -> Vec<Row> {
+    let row = |(name, repeat)| Row { tokens: quote!(#name), repeat };
+    point_names(cx).into_iter().map(row).collect()
+}
+
+/// Returns the names of connection points, each with the repeated part that it belongs to and the number of repetitions.
+pub fn point_names(cx: &EmitContext) -> Vec<(String, Option<(RepeatId, usize)>)> {
     let points = &cx.compiled.point_storage.of;
     let rows = points.points.enumerate().map(|(id, point)| {
         let is_repeated = point.repeat.is_some();
@@ -118,7 +128,7 @@ pub fn points(cx: &EmitContext) -> Vec<Row> {
             }
         };
         let name = name.unwrap_or_else(|| hinge_point(cx, id, is_repeated));
-        Row { tokens: quote!(#name), repeat: cx.counted(point.repeat) }
+        (name, cx.counted(point.repeat))
     });
     rows.collect()
 }

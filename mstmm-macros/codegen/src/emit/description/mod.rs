@@ -9,6 +9,10 @@ mod row;
 mod shapes;
 mod values;
 
+pub use elements::{described_hinges, point_names};
+pub use quantities::{InputRow, QuantityKind, input_rows};
+pub use row::indexed;
+
 use super::EmitContext;
 use super::arrays::usize_literal;
 use super::docs;
