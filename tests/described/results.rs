@@ -94,6 +94,16 @@ fn accelerations_and_efforts_are_those_of_accessors() {
 }
 
 #[test]
+fn gravity_is_what_was_written_or_driven() {
+    assert_eq!(Crawler::<f64>::gravity(&solved(&Crawler::new()).1), [0.0, -9.8, 0.0]);
+    assert_eq!(Rope::<f64>::gravity(&solved(&Rope::new()).1), [0.0; 3]);
+    let it = Kinds::<f64>::DESCRIPTION;
+    let first = it.input("gravity.x").expect("an input");
+    let expected = [0, 1, 2].map(|k| 0.2 + 0.1 * (first + k) as f64);
+    assert_eq!(Kinds::<f64>::gravity(&solved(&Kinds::new()).1), expected);
+}
+
+#[test]
 fn springs_are_those_of_accessors() {
     let (_, at) = solved(&Crawler::new());
     let of = |name: &str| {

@@ -121,6 +121,16 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
         Self::arrays_(at).energy
     }
 
+    /// Returns the acceleration of free fall in m/s² that the results in a workspace are for, inertial frame.
+    #[must_use]
+    fn gravity(at: &Self::Workspace) -> [Self::Scalar; 3] {
+        let mut gravity = [Self::Scalar::default(); 3];
+        for (entry, value) in gravity.iter_mut().zip(Self::arrays_(at).base_acceleration) {
+            *entry = Self::Scalar::default() - *value;
+        }
+        gravity
+    }
+
     /// Returns the results at a connection point by its index in [`Description::points`]; `None` if there is no such
     /// point.
     #[must_use]

@@ -39,6 +39,8 @@ pub struct Arrays<'a, T> {
     pub energy: Option<Energy<T>>,
     /// The results of all springs; empty if they are not computed.
     pub springs: &'a [T],
+    /// The acceleration of the inertial frame that would have the effect of gravity.
+    pub base_acceleration: &'a [T],
 }
 
 /// Returns the number of stored values of a spring.

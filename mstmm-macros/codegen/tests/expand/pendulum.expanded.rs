@@ -736,6 +736,7 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
                 potential: at_.potential_energy,
             }),
             springs: &[],
+            base_acceleration: &at_.base_acceleration,
         }
     }
     fn point_(

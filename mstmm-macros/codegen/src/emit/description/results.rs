@@ -27,6 +27,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 efforts: at_.efforts.as_slice(),
                 energy: #energy,
                 springs: #springs,
+                base_acceleration: &at_.base_acceleration,
             }
         }
         fn point_(
