@@ -1,0 +1,120 @@
+//! What a picture needs from a chain: bodies with their points and shapes.
+
+use crate::rotation::Vector;
+use mstmm_runtime::Described;
+use mstmm_runtime::description::{Dimension, Shape};
+
+/// The parts of a chain that are drawn, as owned values. It does not depend on the chain's type.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// The name of the chain.
+    pub name: String,
+    /// The doc comment of the chain.
+    pub docs: String,
+    /// The dimension of the space that the chain moves in.
+    pub dimension: Dimension,
+    /// The acceleration of free fall in m/s², inertial frame; zero if it is an input.
+    pub gravity: Vector,
+    /// The bodies, in the order of the description.
+    pub bodies: Vec<Body>,
+    /// The connection points, in the order of the description.
+    pub points: Vec<Place>,
+}
+
+/// A body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The name, such as `rod[12]`.
+    pub name: String,
+    /// The name of its type in the description.
+    pub type_name: String,
+    /// The mass in kg, with the parameters of the chain when the recording began.
+    pub mass: f64,
+    /// The centre of mass in m, body frame.
+    pub com: Vector,
+    /// The index of the connection point at its input, whose frame is the body frame.
+    pub input: Option<usize>,
+    /// Its other connection points: its output and the named points that hinges leave.
+    pub points: Vec<BodyPoint>,
+    /// Its shapes, body frame.
+    pub shapes: Vec<Shape>,
+}
+
+/// A connection point of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyPoint {
+    /// The index among all connection points.
+    pub point: usize,
+    /// The name within the body, such as `output`.
+    pub place: String,
+}
+
+/// A connection point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The name, such as `rod[12].input`.
+    pub name: String,
+    /// The index of its body; `None` on the ground and at moving ends.
+    pub body: Option<usize>,
+}
+
+impl Mechanism {
+    /// Returns the mechanism of a chain with its parameters as they are set.
+    #[must_use]
+    pub fn of<C>(chain: &C) -> Self
+    where
+        C: Described<Scalar: Into<f64>>,
+    {
+        let it = C::DESCRIPTION;
+        let mut bodies: Vec<Body> = it
+            .bodies()
+            .iter()
+            .enumerate()
+            .map(|(index, body)| {
+                let inertia = chain.inertia(index);
+                Body {
+                    name: body.name().to_string(),
+                    type_name: body.type_name().to_owned(),
+                    mass: inertia.map_or(0.0, |inertia| inertia.mass.into()),
+                    com: inertia.map_or([0.0; 3], |inertia| inertia.com.map(Into::into).into()),
+                    input: None,
+                    points: Vec::new(),
+                    shapes: body.shapes().to_vec(),
+                }
+            })
+            .collect();
+        let points = it.points().iter().map(|point| point.name().to_string());
+        let points = points.enumerate().map(|(index, name)| {
+            let body = place(&mut bodies, index, &name);
+            Place { name, body }
+        });
+        let points = points.collect();
+        Mechanism {
+            name: it.name().to_owned(),
+            docs: it.docs().to_owned(),
+            dimension: it.dimension(),
+            gravity: C::gravity(&chain.workspace()).map(Into::into),
+            bodies,
+            points,
+        }
+    }
+
+    /// Returns the body at whose input a connection point is.
+    #[must_use]
+    pub fn body_at_input(&self, point: usize) -> Option<usize> {
+        let body = self.points.get(point)?.body?;
+        (self.bodies.get(body)?.input == Some(point)).then_some(body)
+    }
+}
+
+/// Adds a point to its body, whose name precedes that of the place.
+fn place(bodies: &mut [Body], point: usize, name: &str) -> Option<usize> {
+    let (body, place) = name.rsplit_once('.')?;
+    let index = bodies.iter().position(|it| it.name == body)?;
+    let body = bodies.get_mut(index)?;
+    match place {
+        "input" => body.input = Some(point),
+        _ => body.points.push(BodyPoint { point, place: place.to_owned() }),
+    }
+    Some(index)
+}
