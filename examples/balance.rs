@@ -1,12 +1,14 @@
 //! A cart balances two poles, one on the other, with a linear-quadratic regulator at 100 Hz.
 //!
-//! `cargo run --release --example balance`
+//! `cargo run --release --example balance`; with `-- --page balance.html` it also writes a page that shows the motion.
 
+mod page;
 mod plot;
 
 use mstmm::linear::{discretize, lqr};
 use mstmm::nalgebra::{Matrix1, Matrix6, Vector6};
 use mstmm::prelude::*;
+use page::Page;
 use plot::Plot;
 
 mstmm_chain! {
@@ -49,6 +51,7 @@ fn study() -> Result<Plot, mstmm::Error> {
     // The nonlinear chain comes to rest upright.
     let (mut state, mut rk4) = (chain.initial_state(), Rk4::new(PERIOD));
     let mut curves = [Vec::new(), Vec::new(), Vec::new()];
+    let mut page = Page::of(&chain, 1);
     for step in 0..1000 {
         let tilts = [state.lower().angle(), state.lower().angle() + state.upper().angle()];
         let shown = [100.0 * state.rail().position(), tilts[0].to_degrees(), tilts[1].to_degrees()];
@@ -57,8 +60,10 @@ fn study() -> Result<Plot, mstmm::Error> {
             curves.iter_mut().zip(shown).for_each(|(curve, value)| curve.push([time, value]));
         }
         let rail = -(regulator.gain * deviation(&state)).x;
+        page.record(&state, &BalanceInputs { rail })?;
         rk4.step_held(&chain, &mut state, &BalanceInputs { rail })?;
     }
+    page.write();
     println!(
         "after {:.0} s the state is {:.0e} from upright",
         state.time(),

@@ -1,13 +1,15 @@
 //! The loads on the two bearings of a rotor that runs up on a turntable.
 //!
-//! `cargo run --release --example bearing_loads`
+//! `cargo run --release --example bearing_loads`; with `-- --page bearing_loads.html` it also writes a page that shows the motion.
 
+mod page;
 mod plot;
 
 use std::f64::consts::FRAC_PI_2;
 
 use mstmm::nalgebra::{Vector2, Vector3};
 use mstmm::prelude::*;
+use page::Page;
 use plot::Plot;
 
 const MASS: f64 = 12.0; // kg
@@ -75,6 +77,17 @@ fn study() -> Result<Plot, mstmm::Error> {
         gyro.inverse_solve_into(&state, &accelerations, &gyro.no_inputs(), &mut at)?;
         Ok::<_, mstmm::Error>((bearings(&at), state.axle().angle()))
     };
+
+    // The page has the first tenth of the motion, with the torques that it needs.
+    let mut page = Page::of(&gyro, 1);
+    for frame in 0..500 {
+        let (mut state, accelerations) = motion(&gyro, 5e-4 * frame as f64);
+        state.set_time(5e-4 * frame as f64);
+        let torques = gyro.inverse_dynamics(&state, &accelerations, &gyro.no_inputs())?;
+        let [table, axle] = torques.into();
+        page.record(&state, &GyroInputs { table, axle })?;
+    }
+    page.write();
 
     // The picture has the largest force of each bearing within 25 ms.
     let mut curves = [Vec::new(), Vec::new()];

@@ -1,12 +1,15 @@
 //! A cart swings its pole up and balances it.
 //!
-//! `cargo run --release --example cart_pole`
+//! `cargo run --release --example cart_pole`; with `-- --page cart_pole.html` it also writes a page that shows the motion.
+
+mod page;
 
 use std::f64::consts::PI;
 
 use mstmm::linear::{discretize, lqr};
 use mstmm::nalgebra::{Matrix1, Matrix4, RowVector4, Vector4};
 use mstmm::prelude::*;
+use page::Page;
 
 mstmm_chain! {
     /// A cart on a rail and a pole, which hangs down at the angle zero.
@@ -58,9 +61,11 @@ fn main() -> Result<(), mstmm::Error> {
     let cart_pole = CartPole::<f64>::new();
     let mut state = cart_pole.initial_state();
     let gain = gain(&cart_pole)?;
+    let mut page = Page::of(&cart_pole, 20);
     let mut rk4 = Rk4::new(PERIOD);
     for step in 0..15_000 {
         let force = control(&gain, &state);
+        page.record(&state, &force)?;
         rk4.step_held(&cart_pole, &mut state, &force)?;
         if step % 1000 == 999 {
             println!(
@@ -77,6 +82,7 @@ fn main() -> Result<(), mstmm::Error> {
     assert!(state.rail().position().abs() < 1e-3);
     assert!((state.pivot().angle().cos() + 1.0).abs() < 1e-6);
     assert!((energy.total() - 0.2 * 9.81 * 0.5).abs() < 1e-5);
+    page.write();
     Ok(())
 }
 

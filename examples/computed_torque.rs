@@ -1,12 +1,14 @@
 //! A robot arm follows a motion by computed torque at 1 kHz, and weighs the payload that it carries.
 //!
-//! `cargo run --release --example computed_torque`
+//! `cargo run --release --example computed_torque`; with `-- --page computed_torque.html` it also writes a page that shows the motion.
 
+mod page;
 mod plot;
 
 use mstmm::linear::solve_positive_definite;
 use mstmm::nalgebra::{SMatrix, SVector};
 use mstmm::prelude::*;
+use page::Page;
 use plot::Plot;
 
 include!("panda.rs");
@@ -98,9 +100,12 @@ fn study() -> Result<Plot, mstmm::Error> {
     // Computed torque cancels the dynamics: only the errors of the integrator remain.
     let mut model = Arm::<f64>::new();
     let (mut state, mut rk4) = (start(&model), Rk4::new(2.5e-4));
+    let mut page = Page::of(&model, 80);
     for _ in 0..24_000 {
+        page.record(&state, &inputs(control(&model, &state)?))?;
         rk4.try_step(&model, &mut state, |_time, state| control(&model, state).map(inputs))?;
     }
+    page.write();
     let error = (state.q - desired(state.time())[0]).amax();
     println!("continuous torques       {error:.1e} rad");
     assert!(error < 1e-12);

@@ -1,8 +1,11 @@
 //! A crane moves a load along its rail; the rope swings.
 //!
-//! `cargo run --release --example crane`
+//! `cargo run --release --example crane`; with `-- --page crane.html` it also writes a page that shows the motion.
+
+mod page;
 
 use mstmm::prelude::*;
+use page::Page;
 
 mstmm_chain! {
     /// A trolley on a rail, a rope of twenty rods and a load of one ton.
@@ -43,9 +46,11 @@ fn main() -> Result<(), mstmm::Error> {
     };
     let impulse = |time: f64| 600.0 * (time.min(period) - (time - 10.0).clamp(0.0, period));
 
+    let mut page = Page::of(&crane, 40);
     let mut rk4 = Rk4::new(1e-3);
     for step in 0..16_000 {
         let rail = force(state.time());
+        page.record(&state, &CraneInputs { rail })?;
         rk4.step(&crane, &mut state, |_time, _state| CraneInputs { rail })?;
         if step % 1000 == 999 {
             crane.solve_into(&state, &crane.no_inputs(), &mut at)?;
@@ -65,6 +70,7 @@ fn main() -> Result<(), mstmm::Error> {
             assert!((momentum - expected).abs() < 1e-6, "{momentum} N s is not {expected} N s");
         }
     }
+    page.write();
     Ok(())
 }
 

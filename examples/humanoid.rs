@@ -1,10 +1,13 @@
 //! A humanoid stands on springy joints, is pushed, and stands again: each foot carries half of the weight.
 //!
-//! `cargo run --release --example humanoid`
+//! `cargo run --release --example humanoid`; with `-- --page humanoid.html` it also writes a page that shows the motion.
+
+mod page;
 
 use mstmm::nalgebra::Vector3;
 use mstmm::prelude::*;
 use mstmm::{BodyPoint, Point};
+use page::Page;
 
 mstmm_chain! {
     /// A tree: a trunk that floats, two legs and two arms, each of a `part`. x points forward, y to the left.
@@ -85,8 +88,13 @@ fn main() -> Result<(), mstmm::Error> {
             right_leg_small_toe_force: force[5],
         })
     };
-    let mut rk4 = Rk4::new(1e-3);
-    rk4.try_advance_to(&humanoid, &mut state, 10.0, |time, state| inputs(time, state, &mut at))?;
+    let (mut rk4, mut page) = (Rk4::new(1e-3), Page::of(&humanoid, 1));
+    for frame in 0..500 {
+        let time = 0.02 * frame as f64;
+        page.record(&state, &inputs(time, &state, &mut at)?)?;
+        let end = 0.02 * (frame + 1) as f64;
+        rk4.try_advance_to(&humanoid, &mut state, end, |time, state| inputs(time, state, &mut at))?;
+    }
     let now = inputs(10.0, &state, &mut at)?;
     humanoid.solve_into(&state, &now, &mut at)?;
     // At rest the floor carries 63 kg, half of it by each foot, and the legs carry 41 kg.
@@ -96,6 +104,7 @@ fn main() -> Result<(), mstmm::Error> {
         println!("floor on foot {foot:8.3} N, trunk on leg {hip:8.3} N");
         assert!((foot - 63.0 * 9.81 / 2.0).abs() < 1e-2 && (hip + 41.0 * 9.81 / 2.0).abs() < 1e-2);
     }
+    page.write();
     Ok(())
 }
 

@@ -1,7 +1,8 @@
 //! Identifies the dynamic parameters of a robot arm from a motion and noisy torques.
 //!
-//! `cargo run --release --example identify`
+//! `cargo run --release --example identify`; with `-- --page identify.html` it also writes a page that shows the motion.
 
+mod page;
 mod plot;
 
 use std::f64::consts::TAU;
@@ -9,6 +10,7 @@ use std::f64::consts::TAU;
 use mstmm::linear::solve_positive_definite;
 use mstmm::nalgebra::{SMatrix, SVector};
 use mstmm::prelude::*;
+use page::Page;
 use plot::Plot;
 
 include!("panda.rs");
@@ -95,12 +97,19 @@ fn study() -> Result<Plot, mstmm::Error> {
     // Least squares over 10 s at 100 Hz: once with noisy torques, once with exact ones for comparison.
     let mut normal = SMatrix::<f64, BASE, BASE>::zeros();
     let mut right = SMatrix::<f64, BASE, 2>::zeros();
+    let mut page = Page::of(&arm, 2);
     for step in 0..1000 {
         let (rows, exact) = sample(&arm, &motion, 0.01 * step as f64)?;
+        let mut state = arm.initial_state();
+        [state.q, state.v, _] = motion.at(0.01 * step as f64);
+        state.set_time(0.01 * step as f64);
+        let [j1, j2, j3, j4, j5, j6, j7] = exact.into();
+        page.record(&state, &ArmInputs { j1, j2, j3, j4, j5, j6, j7 })?;
         let measured = exact + Joints::from_fn(|_, _| NOISE * random.normal());
         normal += rows.tr_mul(&rows);
         right += rows.tr_mul(&SMatrix::from_columns(&[measured, exact]));
     }
+    page.write();
     let identity = SMatrix::<f64, BASE, BASE>::identity();
     let covariance = solve_positive_definite(&normal, &identity)? * NOISE.powi(2);
     let parameters = solve_positive_definite(&normal, &right)?;

@@ -1,9 +1,12 @@
 //! A six-axis arm moves to a pose and holds it by gravity compensation and a PD controller in each joint.
 //!
-//! `cargo run --release --example robot_arm`
+//! `cargo run --release --example robot_arm`; with `-- --page robot_arm.html` it also writes a page that shows the motion.
+
+mod page;
 
 use mstmm::Dual;
 use mstmm::prelude::*;
+use page::Page;
 
 mstmm_chain! {
     /// Universal Robots' UR5, with the geometry and masses of `ur_description` (ROS-Industrial).
@@ -54,8 +57,10 @@ fn control(arm: &Arm<f64>, state: &ArmState<f64>) -> Result<ArmInputs<f64>, mstm
 fn main() -> Result<(), mstmm::Error> {
     let arm = Arm::<f64>::new();
     let mut state = arm.initial_state();
+    let mut page = Page::of(&arm, 20);
     let mut rk4 = Rk4::new(1e-3);
     for _ in 0..8000 {
+        page.record(&state, &control(&arm, &state)?)?;
         rk4.try_step(&arm, &mut state, |_time, state| control(&arm, state))?;
     }
     let holding = arm.bias_efforts(&state, &arm.no_inputs())?;
@@ -69,6 +74,7 @@ fn main() -> Result<(), mstmm::Error> {
         assert!((state.q[i] - TARGET[i]).abs() < 1e-6);
         assert!((holding[i] - gradient[i]).abs() < 1e-6);
     }
+    page.write();
     Ok(())
 }
 

@@ -1,8 +1,11 @@
 //! A reaction wheel stops the rotation of a satellite about one axis; the total angular momentum is constant.
 //!
-//! `cargo run --release --example satellite`
+//! `cargo run --release --example satellite`; with `-- --page satellite.html` it also writes a page that shows the motion.
+
+mod page;
 
 use mstmm::prelude::*;
+use page::Page;
 
 mstmm_chain! {
     /// A hub that floats, and a wheel with a motor.
@@ -33,8 +36,10 @@ fn main() -> Result<(), mstmm::Error> {
     let satellite = Satellite::<f64>::new();
     let mut state = satellite.initial_state();
     let initial = satellite.momentum(&state, &satellite.no_inputs())?;
+    let mut page = Page::of(&satellite, 10);
     let mut rk4 = Rk4::new(1e-2);
     for step in 0..6000 {
+        page.record(&state, &control(&state))?;
         rk4.step(&satellite, &mut state, |_time, state| control(state))?;
         if step % 1000 == 999 {
             let momentum = satellite.momentum(&state, &satellite.no_inputs())?;
@@ -50,6 +55,7 @@ fn main() -> Result<(), mstmm::Error> {
         }
     }
     assert!(state.hub().rate().z.abs() < 1e-3);
+    page.write();
     Ok(())
 }
 
