@@ -1,5 +1,10 @@
 #![doc = include_str!("tutorial/tutorial.md")]
 
+pub mod five_minutes {
+    #![doc(alias("URDF", "import", "quick start", "robot"))]
+    #![doc = include_str!("tutorial/five_minutes.md")]
+}
+
 pub mod further {
     #![doc(alias(
         "autodiff",
