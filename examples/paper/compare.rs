@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use mstmm::Error;
+use mstmm::description::{Geometry, Shape};
+use mstmm_look::Motion;
 use serde::Serialize;
 
 use crate::generated::{self, PaperChain};
@@ -16,6 +18,13 @@ use crate::verdict::{Bound, Check, Verdict};
 
 /// The number of motions that [`compare`] computes.
 pub const MOTIONS_PER_SYSTEM: usize = 3;
+
+/// A unit cube, drawn with gaps.
+const CUBE: Shape = Shape {
+    geometry: Geometry::Box([0.86, 0.86, 0.86]),
+    position: [0.5, 0.0, 0.0],
+    orientation: [1.0, 0.0, 0.0, 0.0],
+};
 
 /// A system's motion by generated code and by Newton–Euler.
 #[derive(Serialize)]
@@ -35,6 +44,9 @@ pub struct Comparison {
     pub newton_euler: Vec<Record>,
     #[serde(skip)]
     pub verdicts: Vec<Verdict>,
+    /// The motion by `method = riccati` with all results, for a page.
+    #[serde(skip)]
+    pub motion: Motion,
 }
 
 /// A difference of two angles, modulo 2π.
@@ -71,9 +83,12 @@ pub fn compare(
     progress: &Progress,
 ) -> Result<Comparison, Error> {
     progress.begin(&format!("{}: generated code, riccati", system.label));
-    let method = generated::motion(riccati, progress)?;
+    let (method, mut motion) = generated::motion(riccati, progress)?;
+    for body in &mut motion.mechanism_mut().bodies {
+        body.shapes = vec![CUBE];
+    }
     progress.begin(&format!("{}: generated code, transfer", system.label));
-    let by_transfer = generated::motion(transfer, progress)?;
+    let (by_transfer, _) = generated::motion(transfer, progress)?;
     progress.begin(&format!("{}: Newton–Euler", system.label));
     let independent = newton_euler.motion(progress);
 
@@ -117,6 +132,7 @@ pub fn compare(
         method,
         newton_euler: independent,
         verdicts,
+        motion,
         system,
     })
 }

@@ -36,7 +36,7 @@ use section::{Results, Section};
 /// code, and compares every result with an independent solution.
 ///
 /// Prints the verdicts. Writes a page with all figures and tables (HTML), the figures (SVG), the tables
-/// (text) and the motions (CSV) to the folder `paper` in cargo's target folder. The exit code is not
+/// (text) and the motions (CSV, and pages to play) to the folder `paper` in cargo's target folder. The exit code is not
 /// zero if a verdict fails.
 #[derive(Parser)]
 #[command(name = "paper")]

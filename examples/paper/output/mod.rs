@@ -6,6 +6,7 @@ mod document;
 pub mod drawing;
 mod figure_header;
 pub mod log_figure;
+mod motion_page;
 mod output_folder;
 pub mod progress;
 mod report;
@@ -25,7 +26,7 @@ use crate::section::Results;
 
 /// The files of a run.
 pub struct Files {
-    /// The motions (CSV), the figures (SVG) and the page, which is the last one.
+    /// The motions (CSV and HTML), the figures (SVG) and the page, which is the last one.
     results: Vec<PathBuf>,
     /// All tables as text.
     tables: PathBuf,
@@ -37,6 +38,7 @@ pub fn write_files(results: &Results, tolerance: f64) -> Result<Files, Box<dyn E
     let mut files = Vec::new();
     for comparison in results.iter().flat_map(|(_, result)| &result.comparisons) {
         files.extend(csv_file::write(&folder, comparison)?);
+        files.push(motion_page::write(&folder, comparison)?);
     }
     for figure in results.iter().flat_map(|(_, result)| &result.figures) {
         files.push(figure.write(&folder)?);

@@ -1,4 +1,4 @@
-//! All results of a run on one page, without scripts and without other files.
+//! All results of a run on one page without scripts, with links to the pages of motions.
 
 mod numbering;
 mod style;
@@ -13,6 +13,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use self::numbering::{Entry, Numbering};
 use self::typeset::typeset;
 use super::comparison_tables::{self, Grid};
+use super::motion_page;
 use super::result_table::{ResultTable, Row, formatted};
 use super::summary;
 use crate::compare::Comparison;
@@ -228,7 +229,11 @@ fn of_comparison(
 ) -> Markup {
     html! {
         h3 { (comparison.system.label) ": " (comparison.system.title) }
-        p { (comparison_tables::method(comparison)) "." }
+        p {
+            (comparison_tables::method(comparison)) ". "
+            a href=(motion_page::file_name(&comparison.system)) { "The motion with all forces" }
+            " is a page to play, with plots of all quantities."
+        }
         @for Grid { title, note, columns, rows } in comparison_tables::grids(comparison) {
             @let entry = numbering.add_table(section, &format!("{} ({})", title, comparison.system.label));
             figure id=(entry.id) {
