@@ -26,13 +26,13 @@ mstmm_chain! {
             -> screw(x, 5 cm/rev) e -> Rod f } -> floating g -> Cube h
             -> repeat 3 { cylindrical(y) i -> Rod j -> universal(x, [1, 0, 2]) k -> Cube l }
             -> elastic m -> Rod n -> planar(z) o -> Cube p -> weld fixed -> Rod r -> ball wrist -> Cube hand;
-        h.output -> pin(x) side -> Rod arm -> pin(y) told -> Rod finger;
+        h.output -> pin(x) side -> Rod arm -> pin(y) driven -> Rod finger;
         hinge a {
             rest = 0.2; stiffness = 30; damping = 0.5; armature = 0.2 kg*m^2; friction = 0.4 N*m;
             friction_speed = 0.1 rad/s; limits = [-0.5, 0.4] rad; limit_stiffness = 200;
             limit_damping = 2; torque = -3 N*m;
         }
-        hinge told { motion = input; }
+        hinge driven { motion = input; }
         hinge i { force = input; torque = 2 N*m; }
         hinge m { stiffness = 100; turning_stiffness = [2, 3, 4]; }
         hinge wrist { rest = rpy(10, 20, 30) deg; stiffness = 20; damping = 0.3; torque = input; }

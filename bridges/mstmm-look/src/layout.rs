@@ -46,7 +46,7 @@ impl Group {
     ];
 }
 
-/// What is recorded: groups of quantities, and one state of how many.
+/// The content of a recording: groups of quantities, and a stride `n`: every `n`-th state is recorded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     groups: Vec<Group>,

@@ -14,7 +14,7 @@ pub type Corners = Vec<Vector>;
 /// its last parts, from the longest.
 ///
 /// # Errors
-/// What is wrong, as a note for the page.
+/// The reason why a mesh is not shown, as a note for the page.
 pub fn read(folder: Option<&Path>, written: &str) -> Result<Corners, String> {
     let Some(folder) = folder else {
         return Err("no folder of meshes is given".to_owned());

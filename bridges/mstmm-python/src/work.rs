@@ -1,4 +1,4 @@
-//! What is computed for each state.
+//! The computation for each state.
 
 use mstmm::description::{Answer, BodyFrame};
 
@@ -26,7 +26,7 @@ impl Method {
 /// acceleration, angular acceleration, moment, force.
 pub const POINT_VALUES: usize = 30;
 
-/// What is computed for each state.
+/// The computation for each state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Work {
     /// The state after `steps` steps of `step` seconds; the result is all states if `every` is not zero: the first one,

@@ -76,7 +76,7 @@ impl Printer<'_> {
         writer.finish()
     }
 
-    /// Prints an operand of its own type.
+    /// Prints an operand in the type of its value.
     pub fn operand(&self, operand: &Operand) -> TokenStream {
         self.operand_of(operand, self.varying.operand(operand))
     }
