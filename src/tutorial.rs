@@ -51,3 +51,18 @@ pub mod bearing_loads {
     #![doc = include_str!("tutorial/bearing_loads.md")]
     #![doc = include_str!("tutorial/bearing_loads.svg")]
 }
+
+pub mod diffsol {
+    #![doc(alias(
+        "BDF",
+        "SUNDIALS",
+        "CVODE",
+        "ODE solver",
+        "stiff",
+        "event",
+        "impact",
+        "root finding",
+        "forward sensitivity"
+    ))]
+    #![doc = include_str!("tutorial/diffsol.md")]
+}
