@@ -37,29 +37,26 @@ fn made(folder: &Path, chains: &str, options: &[&str]) -> String {
     messages
 }
 
-/// A closed chain with branches, repetitions, balls, a prescribed motion and arrays of parameters; a chain in a plane with
-/// selected results and names that differ only in C; a chain on a line without inputs and parameters.
-#[test]
-fn programs_in_c_and_cpp_get_the_bits_of_rust() {
-    let folder = folder("zoo");
-    let messages = made(&folder, ZOO, &["--scalar", "f32"]);
-    assert!(messages.contains("`Zoo`: answers without functions in C: momentum"), "{messages}");
-    std::fs::create_dir_all(folder.join("examples")).expect("a folder");
-    let example = format!("mstmm::mstmm_chain! {{ {ZOO} }}");
-    std::fs::create_dir_all(folder.join("examples/zoo")).expect("a folder");
-    std::fs::write(folder.join("examples/zoo/chains.rs"), example).expect("a file");
-    std::fs::write(folder.join("examples/zoo/main.rs"), include_str!("header/zoo.rs"))
-        .expect("a file");
+/// Makes the library of the chains in `tests/header/NAME.chain`, and compares the output of `NAME.c`, compiled as C and as
+/// C++, with that of `NAME.rs`. Returns the messages.
+fn compare(name: &str, library: &str, [chains, program]: [&str; 2], options: &[&str]) -> String {
+    let folder = folder(name);
+    let messages = made(&folder, chains, options);
+    let example = folder.join("examples").join(name);
+    std::fs::create_dir_all(&example).expect("a folder");
+    let call = format!("mstmm::mstmm_chain! {{ {chains} }}");
+    std::fs::write(example.join("chains.rs"), call).expect("a file");
+    std::fs::write(example.join("main.rs"), program).expect("a file");
 
     // Without optimisation, which does not change bits.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("header");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(&folder).args(["build", "--offline", "--lib", "--examples", "--target-dir"]);
     succeed(cargo.arg(&target).env("RUSTFLAGS", "-D warnings"));
-    let in_rust = text(succeed(&mut Command::new(target.join("debug/examples/zoo"))));
+    let in_rust = text(succeed(&mut Command::new(target.join("debug/examples").join(name))));
     assert!(in_rust.lines().count() > 30, "{in_rust}");
 
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/header/zoo.c");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/header/{name}.c"));
     for (compiler, language) in [("cc", &["-std=c99"][..]), ("c++", &["-x", "c++", "-std=c++11"])] {
         if Command::new(compiler).arg("--version").output().is_err() {
             // Written directly, since the test harness hides the output of successful tests.
@@ -70,9 +67,85 @@ fn programs_in_c_and_cpp_get_the_bits_of_rust() {
         let mut compile = Command::new(compiler);
         compile.args(language).args(["-Wall", "-Wextra", "-Werror", "-pedantic"]);
         compile.arg("-I").arg(folder.join("include")).arg(&source);
-        compile.args(["-x", "none"]).arg(target.join("debug/libmstmm_zoo.a"));
+        compile.args(["-x", "none"]).arg(target.join(format!("debug/{library}")));
         succeed(compile.args(["-pthread", "-ldl", "-lm", "-o"]).arg(&built));
-        assert_eq!(text(succeed(&mut Command::new(&built))), in_rust, "{compiler}");
+        let output = text(succeed(&mut Command::new(&built)));
+        let lines = output.lines().zip(in_rust.lines());
+        let different: Vec<_> = lines.filter(|(c, rust)| c != rust).collect();
+        assert_eq!(output, in_rust, "{compiler}: {different:#?}");
+    }
+    messages
+}
+
+/// A closed chain with branches, repetitions, balls, a prescribed motion and arrays of parameters; a chain in a plane with
+/// selected results and names that differ only in C; a chain on a line without inputs and parameters.
+#[test]
+fn programs_in_c_and_cpp_get_the_bits_of_rust() {
+    let sources = [ZOO, include_str!("header/zoo.rs")];
+    let messages = compare("zoo", "libmstmm_zoo.a", sources, &["--scalar", "f32"]);
+    for name in ["closure_jacobian", "operational_space_inertia", "`at` of kinematics"] {
+        assert!(messages.contains(name), "{messages}");
+    }
+}
+
+/// All answers: of a chain with repetitions and balls, in a plane, and on a line without inputs and parameters.
+#[test]
+fn answers_in_c_and_cpp_have_the_bits_of_rust() {
+    let sources = [include_str!("header/answers.chain"), include_str!("header/answers.rs")];
+    let messages = compare("answers", "libmstmm_whip.a", sources, &[]);
+    assert!(
+        messages.contains("`Whip`: the header does not have: `at` of kinematics"),
+        "{messages}"
+    );
+    assert!(messages.contains("BASE_PARAMETERS"), "{messages}");
+    // The header has the same list.
+    let header = Path::new(env!("CARGO_TARGET_TMPDIR")).join("answers/include/mstmm_whip.h");
+    let header = std::fs::read_to_string(header).expect("the header");
+    assert!(header.contains("this header does not have:") && header.contains("BASE_PARAMETERS"));
+}
+
+/// A request is a function of the header, or is listed by name in it and in the messages.
+#[test]
+fn no_answer_is_silently_absent() {
+    let words = [
+        ("inverse_dynamics", "mstmm_a_inverse_dynamics("),
+        ("bias_efforts", "mstmm_a_bias_efforts("),
+        ("mass_matrix", "mstmm_a_mass_matrix("),
+        ("kinematics", "mstmm_a_kinematics("),
+        ("jacobian", "mstmm_a_jacobian("),
+        ("momentum", "mstmm_a_momentum("),
+        ("regressor", "mstmm_a_regressor("),
+        ("derivatives", "mstmm_a_inverse_dynamics_derivatives("),
+        ("linearize", "mstmm_a_linearize("),
+        ("push", "mstmm_a_push("),
+        ("pull", "mstmm_a_pull("),
+    ];
+    let known = mstmm_codegen::model::ANSWER_WORDS.iter().filter(|(_, of)| of.len() == 1);
+    assert_eq!(known.map(|(word, _)| *word).collect::<Vec<_>>(), words.map(|(word, _)| word));
+    for (route, is_empty) in [
+        ("slider s -> M m", false),
+        ("repeat 3 { slider s -> M m }", false),
+        ("weld w -> M m", true),
+    ] {
+        for (word, function) in words {
+            let chain = format!(
+                "chain A {{ answers = {word}; body M {{ mass = 1; com = [0, 0, 0]; output = [1, 0, 0]; \
+                 inertia = diag(1, 1, 1) about com; }} ground -> {route}; }}"
+            )
+            .replace("slider", "slider(x)");
+            let (code, header, messages) = program(["header", "-"], &chain);
+            if code != 0 {
+                // Refused by the language.
+                assert!(is_empty && header.is_empty() && messages.contains("error"), "{messages}");
+                continue;
+            }
+            let is_said = messages.contains("the header does not have: ")
+                && header.contains("this header does not have:");
+            assert!(
+                header.contains(function) || (is_empty && is_said),
+                "{word}, {route}: {messages}"
+            );
+        }
     }
 }
 

@@ -61,6 +61,11 @@ const char *mstmm_code_message(int32_t code);
  *
  *     ground -> pin waist -> column -> pin shoulder -> upper_arm -> pin elbow -> forearm -> ball hook -> payload
  *     column.mast -> pin mount -> camera
+ *
+ * Of what the chain has in Rust, this header does not have:
+ *     `at` of kinematics, for points without a name
+ *     jacobian_times
+ *     jacobian_transpose_times
  */
 
 /* The number of each. Of a repeated part each repetition counts, except in the number of hinges. */
@@ -131,9 +136,31 @@ enum {
     MSTMM_ARM_HINGE_MOUNT = 4 /* mount, pin */
 };
 
+/* The indices of frames on bodies: inputs, outputs, centres of mass and named points, and their number. */
+enum {
+    MSTMM_ARM_FRAME_COLUMN_INPUT = 0, /* column.input */
+    MSTMM_ARM_FRAME_COLUMN_OUTPUT = 1, /* column.output */
+    MSTMM_ARM_FRAME_COLUMN_COM = 2, /* column.com */
+    MSTMM_ARM_FRAME_COLUMN_MAST = 3, /* column.mast */
+    MSTMM_ARM_FRAME_UPPER_ARM_INPUT = 4, /* upper_arm.input */
+    MSTMM_ARM_FRAME_UPPER_ARM_OUTPUT = 5, /* upper_arm.output */
+    MSTMM_ARM_FRAME_UPPER_ARM_COM = 6, /* upper_arm.com */
+    MSTMM_ARM_FRAME_FOREARM_INPUT = 7, /* forearm.input */
+    MSTMM_ARM_FRAME_FOREARM_OUTPUT = 8, /* forearm.output */
+    MSTMM_ARM_FRAME_FOREARM_COM = 9, /* forearm.com */
+    MSTMM_ARM_FRAME_PAYLOAD_INPUT = 10, /* payload.input */
+    MSTMM_ARM_FRAME_PAYLOAD_OUTPUT = 11, /* payload.output */
+    MSTMM_ARM_FRAME_PAYLOAD_COM = 12, /* payload.com */
+    MSTMM_ARM_FRAME_PAYLOAD_GRIP = 13, /* payload.grip */
+    MSTMM_ARM_FRAME_CAMERA_INPUT = 14, /* camera.input */
+    MSTMM_ARM_FRAME_CAMERA_OUTPUT = 15, /* camera.output */
+    MSTMM_ARM_FRAME_CAMERA_COM = 16, /* camera.com */
+    MSTMM_ARM_FRAMES = 17
+};
+
 /* The chain with its parameters and its integrator. The contents are private; it may be copied by assignment. */
 typedef struct mstmm_arm {
-    mstmm_real numbers[65];
+    mstmm_real numbers[69];
 } mstmm_arm;
 
 typedef struct mstmm_arm_state {
@@ -164,6 +191,23 @@ typedef struct mstmm_arm_results {
     mstmm_real potential_energy; /* J, of gravity and springs; that of gravity is zero with all masses at the origin */
     mstmm_arm_point points[MSTMM_ARM_POINTS];
 } mstmm_arm_results;
+
+/* The motion of a frame on a body. Bias accelerations are those at zero accelerations of the rates. */
+typedef struct mstmm_arm_motion {
+    mstmm_real position[3]; /* m */
+    mstmm_real orientation[3][3]; /* rows of the rotation matrix from components in the frame of the point to inertial components */
+    mstmm_real velocity[3]; /* m/s */
+    mstmm_real angular_velocity[3]; /* rad/s */
+    mstmm_real bias_acceleration[3]; /* m/s^2 */
+    mstmm_real angular_bias_acceleration[3]; /* rad/s^2 */
+} mstmm_arm_motion;
+
+typedef struct mstmm_arm_momentum_result {
+    mstmm_real mass; /* of all bodies, kg */
+    mstmm_real center_of_mass[3]; /* m */
+    mstmm_real linear[3]; /* kg m/s */
+    mstmm_real angular[3]; /* about the centre of mass, kg m^2/s */
+} mstmm_arm_momentum_result;
 
 /* Initialises a chain with default parameters and a step of `step` seconds; a negative step goes back in time.
  * Must be called before any other function with this chain.
@@ -223,6 +267,94 @@ mstmm_status mstmm_arm_accelerations(const mstmm_arm *chain,
                                      const mstmm_arm_inputs *inputs,
                                      mstmm_real *accelerations);
 
+/* Computes the efforts that keep all rates constant, in the order of `v`.
+ * `efforts` has MSTMM_ARM_RATES numbers.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_bias_efforts(const mstmm_arm *chain,
+                                    const mstmm_arm_state *state,
+                                    const mstmm_arm_inputs *inputs,
+                                    mstmm_real *efforts);
+
+/* Computes the efforts in addition to those of motors that cause these accelerations, in the order of `v`.
+ * `accelerations` is the time derivatives of the rates: MSTMM_ARM_RATES numbers.
+ * `efforts` has MSTMM_ARM_RATES numbers.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_inverse_dynamics(const mstmm_arm *chain,
+                                        const mstmm_arm_state *state,
+                                        const mstmm_arm_inputs *inputs,
+                                        const mstmm_real *accelerations,
+                                        mstmm_real *efforts);
+
+/* Computes the results for given accelerations, also the wrench in each hinge.
+ * `accelerations` is the time derivatives of the rates: MSTMM_ARM_RATES numbers.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_inverse_solve(const mstmm_arm *chain,
+                                     const mstmm_arm_state *state,
+                                     const mstmm_arm_inputs *inputs,
+                                     const mstmm_real *accelerations,
+                                     mstmm_arm_results *results);
+
+/* Computes the efforts that balance gravity at rest, in the order of `v`.
+ * `efforts` has MSTMM_ARM_RATES numbers.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_gravity_efforts(const mstmm_arm *chain,
+                                       const mstmm_arm_state *state,
+                                       const mstmm_arm_inputs *inputs,
+                                       mstmm_real *efforts);
+
+/* Computes the efforts of springs, dampers, friction and limits in hinges, in the order of `v`.
+ * `efforts` has MSTMM_ARM_RATES numbers.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_passive_efforts(const mstmm_arm *chain,
+                                       const mstmm_arm_state *state,
+                                       const mstmm_arm_inputs *inputs,
+                                       mstmm_real *efforts);
+
+/* Computes mass, centre of mass and momentum of all bodies.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_momentum(const mstmm_arm *chain,
+                                const mstmm_arm_state *state,
+                                const mstmm_arm_inputs *inputs,
+                                mstmm_arm_momentum_result *momentum);
+
+/* Computes the matrix that maps the rates to the momentum: rows of linear momentum, then rows of angular
+ * momentum about the centre of mass.
+ * `matrix` has 6 rows with MSTMM_ARM_RATES numbers each.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_momentum_matrix(const mstmm_arm *chain,
+                                       const mstmm_arm_state *state,
+                                       const mstmm_arm_inputs *inputs,
+                                       mstmm_real *matrix);
+
+/* Computes the motion of a frame on a body, without dynamics.
+ * `frame` is the index of a frame on a body: MSTMM_ARM_FRAME_...
+ *
+ * MSTMM_INDEX, MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_kinematics(const mstmm_arm *chain,
+                                  const mstmm_arm_state *state,
+                                  const mstmm_arm_inputs *inputs,
+                                  int32_t frame,
+                                  mstmm_arm_motion *motion);
+
+/* Computes the Jacobian of a frame on a body, with a column for each entry of `v`: rows of velocity, then rows
+ * of angular velocity. Its product with the rates is the velocity without prescribed motions.
+ * `frame` is the index of a frame on a body: MSTMM_ARM_FRAME_...
+ * `jacobian` has 6 rows with MSTMM_ARM_RATES numbers each.
+ *
+ * MSTMM_INDEX, MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_jacobian(const mstmm_arm *chain,
+                                const mstmm_arm_state *state,
+                                const mstmm_arm_inputs *inputs,
+                                int32_t frame,
+                                mstmm_real *jacobian);
+
 /* Returns sizeof(mstmm_arm) of the library, to check that header and library match. */
 uint32_t mstmm_arm_size(void);
 
@@ -230,7 +362,7 @@ uint32_t mstmm_arm_size(void);
 const char *mstmm_arm_hinge_name(int32_t hinge);
 
 /* The library checks the same size. */
-typedef char mstmm_arm_has_its_size[sizeof(mstmm_arm) == 65 * sizeof(mstmm_real) ? 1 : -1];
+typedef char mstmm_arm_has_its_size[sizeof(mstmm_arm) == 69 * sizeof(mstmm_real) ? 1 : -1];
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,7 @@ mstmm_chain! {
     /// spring beside its column.
     pub chain Arm {
         gravity = [0, 0, -9.81] m/s^2;
+        answers = [inverse_dynamics, jacobian, momentum];
         param payload_mass = 2 kg;
         param payload_spin = 0.01 kg*m^2;
 
@@ -45,6 +46,7 @@ mstmm_chain! {
             mass = payload_mass;
             com = [0, 0, -0.2] m;
             output = [0, 0, -0.4] m;
+            point grip = [0, 0, -0.3] m;
             inertia = diag(0.02 kg*m^2, 0.02 kg*m^2, payload_spin) about com;
         }
 

@@ -6,7 +6,7 @@
 use core::ffi::{CStr, c_char};
 use core::mem::MaybeUninit;
 
-use mstmm::Rk4;
+use mstmm::{Chain, FrameMotion, Rk4, description::Answers, nalgebra::SMatrix, nalgebra::SVector};
 
 use crate::{Real, Status, Arm, ArmInputs, ArmState, ArmWorkspace};
 
@@ -43,7 +43,7 @@ pub struct Inputs {
 const HINGES: [&CStr; 5] = [c"waist", c"shoulder", c"elbow", c"hook", c"mount"];
 
 // The size in the header, as the length of an array, so that the compiler reports the right size.
-const _: [(); 65 * size_of::<Real>()] = [(); size_of::<Model>()];
+const _: [(); 69 * size_of::<Real>()] = [(); size_of::<Model>()];
 const _: [(); align_of::<Real>()] = [(); align_of::<Model>()];
 
 /// `mstmm_arm_point` of the header.
@@ -82,6 +82,38 @@ pub struct Results {
     pub points: [Point; 12],
 }
 
+/// `mstmm_arm_motion` of the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// `position`
+    pub position: [Real; 3],
+    /// `orientation`
+    pub orientation: [[Real; 3]; 3],
+    /// `velocity`
+    pub velocity: [Real; 3],
+    /// `angular_velocity`
+    pub angular_velocity: [Real; 3],
+    /// `bias_acceleration`
+    pub bias_acceleration: [Real; 3],
+    /// `angular_bias_acceleration`
+    pub angular_bias_acceleration: [Real; 3],
+}
+
+/// `mstmm_arm_momentum_result` of the header.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Momentum {
+    /// `mass`
+    pub mass: Real,
+    /// `center_of_mass`
+    pub center_of_mass: [Real; 3],
+    /// `linear`
+    pub linear: [Real; 3],
+    /// `angular`
+    pub angular: [Real; 3],
+}
+
 impl From<State> for ArmState<Real> {
     fn from(state: State) -> Self {
         Self { q: state.q.into(), v: state.v.into(), t: state.t }
@@ -117,6 +149,25 @@ impl From<ArmWorkspace<Real>> for Results {
                 force: point.force().into(),
             }),
         }
+    }
+}
+
+impl From<FrameMotion<Real>> for Motion {
+    fn from(it: FrameMotion<Real>) -> Self {
+        Self {
+            position: it.position,
+            orientation: it.orientation,
+            velocity: it.velocity,
+            angular_velocity: it.angular_velocity,
+            bias_acceleration: it.bias_acceleration,
+            angular_bias_acceleration: it.angular_bias_acceleration,
+        }
+    }
+}
+
+impl From<mstmm::Momentum<Real>> for Momentum {
+    fn from(it: mstmm::Momentum<Real>) -> Self {
+        Self { mass: it.mass, center_of_mass: it.center_of_mass.into(), linear: it.linear.into(), angular: it.angular.into() }
     }
 }
 
@@ -253,6 +304,19 @@ pub extern "C" fn mstmm_arm_get_payload_spin(
     Status::OK
 }
 
+/// The bodies: the first frame, the number of frames of one repetition, and the number of repetitions.
+const BODIES: [[usize; 3]; 5] = [[0, 4, 1], [4, 3, 1], [7, 3, 1], [10, 4, 1], [14, 3, 1]];
+
+/// Returns the body, the repetition and the number of a frame.
+fn frame_at(index: i32) -> Option<[usize; 3]> {
+    let index = usize::try_from(index).ok()?;
+    BODIES.iter().enumerate().find_map(|(body, &[first, count, repetitions])| {
+        let at = index.checked_sub(first)?;
+        let (repetition, number) = (at.checked_div(count)?, at.checked_rem(count)?);
+        (repetition < repetitions).then_some([body, repetition, number])
+    })
+}
+
 /// Computes the time derivatives of the rates (forward dynamics), in the order of `v`.
 // SAFETY: nothing else has this name.
 #[unsafe(no_mangle)]
@@ -262,13 +326,281 @@ pub extern "C" fn mstmm_arm_accelerations(
     inputs: Option<&Inputs>,
     accelerations: Option<&mut MaybeUninit<[Real; 7]>>,
 ) -> Status {
-    let (Some(model), Some(state), Some(inputs), Some(accelerations)) =
+    let (Some(model), Some(state), Some(inputs), Some(to_accelerations)) =
         (model, state, inputs, accelerations)
     else {
         return Status::NULL_POINTER;
     };
+    let chain = &model.chain;
     let (state, inputs) = ((*state).into(), (*inputs).into());
-    let computed = model.chain.accelerations(&state, &inputs);
-    Status::of(computed.map(|computed| _ = accelerations.write(computed.into())), &HINGES)
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut accelerations = SVector::zeros();
+    let computed = chain.accelerations_into(&state, &inputs, &mut accelerations);
+    let written = computed.map(|_| {
+        to_accelerations.write(accelerations.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the efforts that keep all rates constant, in the order of `v`.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_bias_efforts(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    efforts: Option<&mut MaybeUninit<[Real; 7]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_efforts)) =
+        (model, state, inputs, efforts)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut efforts = SVector::zeros();
+    let computed = chain.bias_efforts_into(&state, &inputs, &mut efforts);
+    let written = computed.map(|_| {
+        to_efforts.write(efforts.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the efforts in addition to those of motors that cause these accelerations, in the order of `v`.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_inverse_dynamics(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    accelerations: Option<&[Real; 7]>,
+    efforts: Option<&mut MaybeUninit<[Real; 7]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(accelerations), Some(to_efforts)) =
+        (model, state, inputs, accelerations, efforts)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut efforts = SVector::zeros();
+    let computed = chain.inverse_dynamics_into(&state, &(*accelerations).into(), &inputs, &mut efforts);
+    let written = computed.map(|_| {
+        to_efforts.write(efforts.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the results for given accelerations, also the wrench in each hinge.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_inverse_solve(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    accelerations: Option<&[Real; 7]>,
+    results: Option<&mut MaybeUninit<Results>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(accelerations), Some(to_results)) =
+        (model, state, inputs, accelerations, results)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut results = chain.workspace();
+    let computed =
+        chain.inverse_solve_into(&state, &(*accelerations).into(), &inputs, &mut results);
+    let written = computed.map(|_| {
+        to_results.write(results.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the efforts that balance gravity at rest, in the order of `v`.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_gravity_efforts(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    efforts: Option<&mut MaybeUninit<[Real; 7]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_efforts)) =
+        (model, state, inputs, efforts)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut efforts = SVector::zeros();
+    let computed = chain.gravity_efforts_into(&state, &inputs, &mut efforts);
+    let written = computed.map(|_| {
+        to_efforts.write(efforts.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the efforts of springs, dampers, friction and limits in hinges, in the order of `v`.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_passive_efforts(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    efforts: Option<&mut MaybeUninit<[Real; 7]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_efforts)) =
+        (model, state, inputs, efforts)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut efforts = SVector::zeros();
+    let computed = chain.passive_efforts_into(&state, &inputs, &mut efforts);
+    let written = computed.map(|_| {
+        to_efforts.write(efforts.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes mass, centre of mass and momentum of all bodies.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_momentum(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    momentum: Option<&mut MaybeUninit<Momentum>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_momentum)) =
+        (model, state, inputs, momentum)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let computed = chain.momentum(&state, &inputs);
+    let written = computed.map(|found| {
+        to_momentum.write(found.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the matrix that maps the rates to the momentum: rows of linear momentum, then rows of angular
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_momentum_matrix(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    matrix: Option<&mut MaybeUninit<[[Real; 7]; 6]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_matrix)) =
+        (model, state, inputs, matrix)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut matrix = SMatrix::zeros();
+    let computed = chain.momentum_matrix_into(&state, &inputs, &mut matrix);
+    let written = computed.map(|_| {
+        to_matrix.write(matrix.transpose().into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the motion of a frame on a body, without dynamics.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_kinematics(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    frame: i32,
+    motion: Option<&mut MaybeUninit<Motion>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_motion)) =
+        (model, state, inputs, motion)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let Some(frame) = frame_at(frame) else { return Status::INDEX };
+    let moved = chain.motion_(&state, &inputs, frame, &mut []);
+    let Some(computed) = moved else { return Status::INDEX };
+    let written = computed.map(|found| {
+        to_motion.write(found.into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the Jacobian of a frame on a body, with a column for each entry of `v`: rows of velocity, then rows
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_jacobian(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    frame: i32,
+    jacobian: Option<&mut MaybeUninit<[[Real; 7]; 6]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(to_jacobian)) =
+        (model, state, inputs, jacobian)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let Some(frame) = frame_at(frame) else { return Status::INDEX };
+    let mut jacobian = [[0.0; 6]; 7];
+    let moved = chain.motion_(&state, &inputs, frame, jacobian.as_flattened_mut());
+    let Some(computed) = moved else { return Status::INDEX };
+    let written = computed.map(|_| {
+        to_jacobian.write(SMatrix::<Real, 6, 7>::from(jacobian).transpose().into());
+    });
+    Status::of(written, &HINGES)
 }
 

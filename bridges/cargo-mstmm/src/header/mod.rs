@@ -9,10 +9,10 @@ mod rust;
 pub use names::snake;
 
 use crate::new::{Dependency, indented};
-use functions::Function;
+use functions::Functions;
 use mstmm_codegen::CheckedChain;
-use mstmm_codegen::emit::{Tables, tables};
-use mstmm_codegen::model::{ANSWER_WORDS, Dimension, Results};
+use mstmm_codegen::emit::{BodyRow, Tables, tables};
+use mstmm_codegen::model::{Dimension, Results};
 use names::Constants;
 use std::collections::HashMap;
 
@@ -98,7 +98,7 @@ struct Model<'a> {
     /// What all its names in C begin with, such as `mstmm_arm`.
     prefix: String,
     tables: Tables,
-    functions: Vec<Function>,
+    functions: Functions,
     /// The parameters in C, all different.
     parameters: Vec<String>,
     method: Method,
@@ -107,23 +107,25 @@ struct Model<'a> {
 impl Model<'_> {
     /// Returns the names of its types and functions in C, without those of the functions that depend on the description.
     fn globals(&self) -> Vec<String> {
-        let suffixes = ["_state", "_inputs", "_point", "_results", "_size", "_hinge_name"];
-        let functions = [
-            "_init",
-            "_set_step",
-            "_no_inputs",
-            "_initial_state",
-            "_assemble",
-            "_step",
-            "_solve",
-            "_linearize",
+        let suffixes = [
+            "_state",
+            "_inputs",
+            "_point",
+            "_results",
+            "_variation",
+            "_motion",
+            "_momentum_result",
+            "_size",
+            "_hinge_name",
         ];
+        let functions =
+            ["_init", "_set_step", "_no_inputs", "_initial_state", "_assemble", "_step", "_solve"];
         let parameters = self
             .parameters
             .iter()
             .flat_map(|name| [format!("_set_{name}"), format!("_get_{name}")]);
         let fixed = [""].into_iter().chain(suffixes).chain(functions).map(str::to_owned);
-        let answers = self.functions.iter().map(|function| format!("_{}", function.name));
+        let answers = self.functions.all.iter().map(|function| format!("_{}", function.name));
         let all = fixed.chain(answers).chain(parameters);
         all.map(|suffix| format!("{}{suffix}", self.prefix)).collect()
     }
@@ -149,14 +151,27 @@ impl Model<'_> {
         self.tables.scalars + states * state + others
     }
 
-    /// Returns the keywords of `answers` that have no functions in C.
-    fn missing_answers(&self) -> Vec<&'static str> {
-        let requests = &self.of.chain.requests;
-        let words = ANSWER_WORDS.iter().filter(|(_, of)| match of {
-            [request] => requests.contains(request) && !functions::HAVE.contains(request),
-            _ => false,
-        });
-        words.map(|(word, _)| *word).collect()
+    /// Returns whether the state or the inputs have quaternions, which have a length to be checked.
+    fn has_quaternions(&self) -> bool {
+        let arrays = [&self.tables.coordinates, &self.tables.inputs];
+        let mut entries = arrays.into_iter().flat_map(|array| &array.entries);
+        entries.any(|entry| entry.path.ends_with(".w"))
+    }
+
+    /// Returns the bodies, each with the index of its first frame.
+    fn frames(&self) -> impl Iterator<Item = (usize, &BodyRow)> {
+        let mut next = 0;
+        self.tables.bodies.iter().map(move |body| {
+            let first = next;
+            next += body.frames.len() * body.repetitions.unwrap_or(1);
+            (first, body)
+        })
+    }
+
+    /// Returns the number of frames.
+    fn frame_count(&self) -> usize {
+        let last = self.frames().last();
+        last.map_or(0, |(first, body)| first + body.frames.len() * body.repetitions.unwrap_or(1))
     }
 }
 
@@ -210,10 +225,10 @@ impl<'a> Library<'a> {
     /// Returns what the library does not have of its chains.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
-        let missing = self.chains.iter().map(|model| (model, model.missing_answers()));
-        let missing = missing.filter(|(_, words)| !words.is_empty());
-        let warning = |(model, words): (&Model, Vec<&str>)| {
-            format!("`{}`: answers without functions in C: {}", model.chain, words.join(", "))
+        let missing = self.chains.iter().filter(|model| !model.functions.missing.is_empty());
+        let warning = |model: &Model| {
+            let names = model.functions.missing.join(", ");
+            format!("`{}`: the header does not have: {names}", model.chain)
         };
         missing.map(warning).collect()
     }
@@ -290,7 +305,7 @@ fn model(of: &CheckedChain, method: Method) -> Model<'_> {
     Model {
         of,
         prefix: format!("mstmm_{}", snake(&chain)),
-        functions: functions::of(&tables),
+        functions: Functions::of(&of.chain, &tables),
         parameters: parameters(&tables),
         chain,
         tables,

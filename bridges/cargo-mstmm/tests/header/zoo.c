@@ -9,6 +9,9 @@ static mstmm_zoo_state state;
 static mstmm_zoo_inputs inputs;
 static mstmm_zoo_results at;
 static mstmm_real efforts[MSTMM_ZOO_RATES];
+static mstmm_real matrix[MSTMM_ZOO_RATES * MSTMM_ZOO_RATES];
+static mstmm_real jacobian[6 * MSTMM_ZOO_RATES];
+static mstmm_zoo_momentum_result momentum;
 
 static mstmm_swing swing;
 static mstmm_swing_state swing_state;
@@ -88,6 +91,12 @@ static void motion(void)
     print("efforts", efforts, sizeof efforts);
     status(mstmm_zoo_mass_matrix_times(&zoo, &state, &inputs, at.accelerations, efforts));
     print("product", efforts, sizeof efforts);
+    status(mstmm_zoo_mass_matrix(&zoo, &state, &inputs, matrix));
+    print("matrix", matrix, sizeof matrix);
+    status(mstmm_zoo_jacobian(&zoo, &state, &inputs, MSTMM_ZOO_FRAME_WHEEL_RIM, jacobian));
+    print("jacobian", jacobian, sizeof jacobian);
+    status(mstmm_zoo_momentum(&zoo, &state, &inputs, &momentum));
+    print("momentum", &momentum, sizeof momentum);
     state.q[MSTMM_ZOO_Q_LINK_ORIENTATION_W(1)] = 3.0f;
     status(mstmm_zoo_step(&zoo, &state, &inputs));
     status(mstmm_zoo_assemble(&zoo, &state, NULL));

@@ -101,6 +101,18 @@ fn motion() -> Result<(), Error> {
     ok(1);
     zoo.mass_matrix_times_into(&at, &inputs, solved.accelerations(), &mut efforts)?;
     line("product", efforts.iter().copied());
+    let mut matrix = mstmm::nalgebra::SMatrix::zeros();
+    zoo.mass_matrix_into(&at, &inputs, &mut matrix)?;
+    ok(1);
+    line("matrix", matrix.transpose().iter().copied());
+    let jacobian = zoo.kinematics(&at, &inputs)?.wheel().rim().jacobian();
+    ok(1);
+    line("jacobian", jacobian.transpose().iter().copied());
+    let momentum = zoo.momentum(&at, &inputs)?;
+    ok(1);
+    let vectors = [momentum.center_of_mass, momentum.linear, momentum.angular];
+    let vectors = vectors.iter().flat_map(|vector| [vector.x, vector.y, vector.z]);
+    line("momentum", std::iter::once(momentum.mass).chain(vectors));
     println!("MSTMM_QUATERNION link\nMSTMM_NULL_POINTER ");
     Ok(())
 }

@@ -54,7 +54,7 @@ pub use error_types::error_types;
 use names::{TypeNames, variable};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-pub use tables::{Entry, HingeRow, NamedArray, Tables, tables};
+pub use tables::{BodyRow, Entry, HingeRow, NamedArray, Tables, tables};
 pub use warning::warning;
 
 /// The inputs of all modules that write parts of the expansion.

@@ -1,13 +1,15 @@
 //! The tables of a chain as values, for tools that write interfaces in other languages.
 
 use super::description::{
-    InputRow, QuantityKind, described_hinges, indexed, input_rows, point_names,
+    InputRow, QuantityKind, described_hinges, frames, indexed, input_rows, point_names,
 };
 use super::{ArrayLayouts, BodyReports, EmitContext, TypeNames, closure, docs, routes, sealed};
 use crate::compile::compile;
 use crate::examine::Findings;
 use crate::ids::RepeatId;
-use crate::model::{Answer, Chain, Drive, Effort, Hinge, Input, InputKind, Layout, Value};
+use crate::model::{
+    Answer, BodyId, Chain, Drive, DynamicParameter, Effort, Hinge, Input, InputKind, Layout, Value,
+};
 use crate::program::ArrayLayout;
 use crate::syntax::Passthrough;
 use proc_macro2::TokenStream;
@@ -34,6 +36,10 @@ pub struct Tables {
     pub points: NamedArray,
     /// The hinges; those of a repeated part are counted once.
     pub hinges: Vec<HingeRow>,
+    /// The bodies; those of a repeated part are counted once.
+    pub bodies: Vec<BodyRow>,
+    /// The dynamic parameters: the columns of the regressor.
+    pub dynamic_parameters: NamedArray,
     /// The functions of the chain.
     pub answers: Vec<Answer>,
     /// The number of scalars in the chain's type, which has no other fields.
@@ -79,6 +85,17 @@ pub struct HingeRow {
     pub has_motor: bool,
 }
 
+/// A body.
+#[derive(Clone, Debug)]
+pub struct BodyRow {
+    /// The path, without the index of a repetition.
+    pub path: String,
+    /// The number of its repetitions; none if it is not in a repeated part.
+    pub repetitions: Option<usize>,
+    /// Its frames: `input`, `output`, `com` and named points.
+    pub frames: Vec<String>,
+}
+
 /// Returns the tables of a chain.
 pub fn tables(chain: &Chain, passthrough: &Passthrough, findings: &Findings) -> Tables {
     let layout = Layout::of(chain);
@@ -116,8 +133,19 @@ pub fn tables(chain: &Chain, passthrough: &Passthrough, findings: &Findings) -> 
                 }
             })
             .collect(),
+        bodies: chain.physical_bodies().map(|id| body(&cx, id)).collect(),
+        dynamic_parameters: array(dynamic_parameter_entries(&cx)),
         answers: compiled.functions.iter().filter_map(|function| function.answer).collect(),
         scalars: scalars(&cx),
+    }
+}
+
+fn body(cx: &EmitContext, id: BodyId) -> BodyRow {
+    let body = &cx.chain.bodies[id];
+    BodyRow {
+        path: body.path.clone(),
+        repetitions: cx.counted(cx.chain.repeat_of_body(id)).map(|(_, count)| count),
+        frames: frames(body).into_iter().map(|(name, _)| name).collect(),
     }
 }
 
@@ -221,6 +249,25 @@ fn parameter_entries(cx: &EmitContext) -> Vec<Unplaced> {
 fn point_entries(cx: &EmitContext) -> Vec<Unplaced> {
     let entry = |(path, repeat)| Unplaced { path, unit: String::new(), start: None, repeat };
     point_names(cx).into_iter().map(entry).collect()
+}
+
+fn dynamic_parameter_entries(cx: &EmitContext) -> Vec<Unplaced> {
+    let entry = |parameter: DynamicParameter| {
+        let (repeat, element) = match parameter {
+            DynamicParameter::Inertial(body, _) => {
+                (cx.chain.repeat_of_body(body), &cx.chain.bodies[body].path)
+            }
+            DynamicParameter::Passive(hinge, ..) => {
+                (cx.chain.repeat_of_hinge(hinge), &cx.chain.hinges[hinge].path)
+            }
+        };
+        let name = cx.chain.name_of_dynamic_parameter(parameter);
+        // The index of a repetition follows the path of the element: `rod[3].mass`.
+        let quantity = name.strip_prefix(&**element).unwrap_or_default();
+        let path = format!("{}{quantity}", indexed(element, repeat.is_some()));
+        Unplaced { path, unit: String::new(), start: None, repeat: cx.counted(repeat) }
+    };
+    cx.chain.dynamic_parameters().into_iter().map(entry).collect()
 }
 
 /// Returns a value with default parameters.

@@ -265,7 +265,7 @@ fn momentum(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the names of the frames of a body, each with the name of its accessor.
-fn frames(body: &Body) -> Vec<(String, proc_macro2::Ident)> {
+pub fn frames(body: &Body) -> Vec<(String, proc_macro2::Ident)> {
     let common = [("input", true), ("output", body.present.output), ("com", body.present.com)];
     let common = common.into_iter().filter(|(_, is_there)| *is_there);
     let common = common.map(|(name, _)| (name.to_owned(), format_ident!("{name}")));

@@ -9,6 +9,7 @@ mod row;
 mod shapes;
 mod values;
 
+pub use answers::frames;
 pub use elements::{described_hinges, point_names};
 pub use quantities::{InputRow, QuantityKind, input_rows};
 pub use row::indexed;
