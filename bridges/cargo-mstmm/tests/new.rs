@@ -3,6 +3,7 @@
 mod common;
 
 use common::program;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -99,6 +100,57 @@ fn projects_build_run_and_pass_their_tests() {
     let cart = made(&folder, "cart", &["--chain", &line_chain]);
     // 3 N accelerate 2 kg.
     assert_eq!(line(&cart, "rail.velocity, m/s/s"), [1.5]);
+}
+
+/// Firmware: its library has a test for this computer, its program also runs here, and all of it links for a Cortex-M4F.
+#[test]
+fn firmware_links_for_a_microcontroller() {
+    const TARGET: &str = "thumbv7em-none-eabihf";
+    let skipped = |reason: &str| {
+        // Written directly, since the test harness hides the output of successful tests.
+        let _ = writeln!(std::io::stderr(), "skipped: {reason}");
+    };
+    let folder = Folder::new("firmware");
+    let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf/dog.urdf");
+    let urdf = urdf.display().to_string();
+    let crane: &[&str] = &[];
+    for (name, options) in
+        [("small-crane", crane), ("dog", &["--urdf", &urdf, "--floating", "--name", "my-dog"])]
+    {
+        let project = folder.file(name);
+        let arguments = [&["new", &project, "--vcs", "none", "--no-std"], options].concat();
+        let (code, result, messages) = program(&arguments, "");
+        assert_eq!((code, &*result), (0, ""), "{messages}");
+        assert!(messages.contains(&format!("cargo build --release --target {TARGET}")));
+        for file in ["src/main.rs", "src/lib.rs", "build.rs"] {
+            let mut format = Command::new("rustfmt");
+            format.args(["--edition", "2024", "--check"]).arg(format!("{project}/{file}"));
+            let format = format.output().expect("rustfmt starts");
+            assert!(format.status.success(), "{}", String::from_utf8_lossy(&format.stdout));
+        }
+        let mut fetch = Command::new(env!("CARGO"));
+        let fetch = fetch.current_dir(&project).arg("fetch").output().expect("cargo starts");
+        if !fetch.status.success() {
+            return skipped("the registry is not available");
+        }
+        let tests = cargo(&project, &["test"]);
+        assert!(tests.contains("1 passed"), "{tests}");
+        let motion = cargo(&project, &["run"]);
+        assert_eq!(motion.lines().count(), 11, "{motion}");
+        let mut libraries = Command::new("rustc");
+        let libraries = libraries.args(["--print", "target-libdir", "--target", TARGET]).output();
+        let libraries = libraries.expect("rustc starts").stdout;
+        let libraries = String::from_utf8(libraries).expect("UTF-8");
+        if !Path::new(libraries.trim()).is_dir() {
+            return skipped(&format!("the target {TARGET} is not installed"));
+        }
+        cargo(&project, &["build", "--release", "--target", TARGET]);
+        let package = if name == "dog" { "my-dog" } else { name };
+        let built = Path::new(env!("CARGO_TARGET_TMPDIR")).join("new").join(TARGET);
+        let image = std::fs::read(built.join("release").join(package)).expect("the firmware");
+        // An ELF file for ARM that begins at the start-up code.
+        assert_eq!((&image[..4], image[18]), (&b"\x7fELF"[..], 40));
+    }
 }
 
 #[test]

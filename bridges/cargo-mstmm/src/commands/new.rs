@@ -7,14 +7,14 @@ use std::process::Command;
 use super::dependency::DependencyArguments;
 use super::{Failure, read};
 use crate::import::{Options, import};
-use crate::new::{FIRST, program};
+use crate::new::{FIRST, firmware, firmware_dependencies, program};
 use crate::source::Source;
 
 /// Make a project that simulates a chain
 ///
 /// The project is a package with a program, which prints a motion and the forces in the chain, and a test. `cargo new`
 /// makes the package, so its rules for names, version control and workspaces hold. Without `--chain` and `--urdf` the
-/// chain is a crane.
+/// chain is a crane. With `--no-std` it is firmware of a Cortex-M in single precision, without heap and operating system.
 #[derive(Args, Debug)]
 #[command(disable_version_flag = true)]
 pub struct New {
@@ -33,6 +33,9 @@ pub struct New {
     /// The root link of the URDF file is a free body instead of the ground
     #[arg(long, requires = "urdf")]
     floating: bool,
+    /// Firmware for a microcontroller of the family Cortex-M instead of a program for this computer
+    #[arg(long)]
+    no_std: bool,
     /// The version control of `cargo new`: git, hg, pijul, fossil or none
     #[arg(long, value_name = "VCS")]
     vcs: Option<String>,
@@ -54,17 +57,44 @@ pub fn run(arguments: &New) -> Result<(), Failure> {
         return Err(Failure(format!("{file}: a project has one chain, and the file has {count}")));
     };
     let text = source.inside().map_err(|message| Failure(message.message))?;
-    let program = program(chain, text, &origin);
     let dependency = arguments.dependency.choose()?;
     cargo_new(arguments)?;
     let folder = &arguments.folder;
     let manifest = folder.join("Cargo.toml");
-    let written = format!("{}mstmm = {}\n", read(&manifest)?, dependency.requirement());
-    super::write(&written, Some(&manifest))?;
-    super::write(&program, Some(&folder.join("src/main.rs")))?;
+    let begun = read(&manifest)?;
+    let (dependencies, files) = match arguments.no_std {
+        true => {
+            let package = name_in(&begun).unwrap_or_default();
+            (firmware_dependencies(&dependency), firmware(chain, text, &origin, package))
+        }
+        false => (
+            format!("mstmm = {}\n", dependency.requirement()),
+            vec![("src/main.rs", program(chain, text, &origin))],
+        ),
+    };
+    super::write(&format!("{begun}{dependencies}"), Some(&manifest))?;
+    for (path, text) in files {
+        super::write(&text, Some(&folder.join(path)))?;
+    }
     eprintln!("note: the package depends on {dependency}");
-    eprintln!("note: to run the program: cd {} && cargo run", folder.display());
+    if arguments.no_std {
+        eprintln!(
+            "note: `memory.x` and `CLOCK` in `src/main.rs` are those of an emulated board; set yours"
+        );
+        eprintln!(
+            "note: to build it: cd {} && cargo build --release --target thumbv7em-none-eabihf",
+            folder.display()
+        );
+    } else {
+        eprintln!("note: to run the program: cd {} && cargo run", folder.display());
+    }
     Ok(())
+}
+
+/// Returns the name of the package in a manifest of `cargo new`.
+fn name_in(manifest: &str) -> Option<&str> {
+    let line = manifest.lines().find_map(|line| line.strip_prefix("name = \""))?;
+    line.strip_suffix('"')
 }
 
 /// Returns the source of the chain, and the name of its file for the program.

@@ -25,6 +25,35 @@ pub fn program(chain: &CheckedChain, text: &str, file: &str) -> String {
         .replace("{chain}", &indented(text))
 }
 
+/// Returns the files of a project for a microcontroller, with their paths, except for `Cargo.toml`.
+#[must_use]
+pub fn firmware(
+    chain: &CheckedChain,
+    text: &str,
+    file: &str,
+    package: &str,
+) -> Vec<(&'static str, String)> {
+    let from = if file.is_empty() { String::new() } else { format!(" of `{file}`") };
+    let library = include_str!("firmware/lib.rs.txt")
+        .replace("{from}", &from)
+        .replace("{Chain}", &chain.chain.name.to_string())
+        .replace("{chain}", &indented(text));
+    let main =
+        include_str!("firmware/main.rs.txt").replace("{package}", &package.replace('-', "_"));
+    vec![
+        ("src/lib.rs", library),
+        ("src/main.rs", main),
+        ("build.rs", include_str!("firmware/build.rs.txt").to_owned()),
+        ("memory.x", include_str!("firmware/memory.x.txt").to_owned()),
+    ]
+}
+
+/// Returns the end of the `Cargo.toml` of a project for a microcontroller, after its heading `[dependencies]`.
+#[must_use]
+pub fn firmware_dependencies(dependency: &Dependency) -> String {
+    include_str!("firmware/Cargo.toml.txt").replace("{mstmm}", &dependency.without_std())
+}
+
 /// Returns the statements that print the results of the last state.
 fn loads(chain: &CheckedChain) -> &'static str {
     match (chain.chain.results, chain.chain.dimension) {
