@@ -107,6 +107,30 @@ fn every_package_has_licences_a_readme_and_search_terms() {
     }
 }
 
+/// The page of a package in the registry has no files of the repository, and no address to find them at. So a readme names
+/// files and links only to its headings and the network. The picture of the root's readme is shown in the documentation,
+/// which contains it, and in the repository; the registry shows its text.
+#[test]
+fn readmes_have_no_links_to_files() {
+    for (name, folder) in published() {
+        let readme = read(&folder.join("README.md"));
+        // Programs have brackets, too.
+        let text: Vec<&str> = readme.split("```").step_by(2).collect();
+        let text = text.concat();
+        let inline = text.match_indices("](").map(|(at, _)| &text[at + 2..]);
+        let defined = text.lines().filter(|line| line.starts_with('['));
+        let defined = defined.filter_map(|line| line.split_once("]: ")).map(|(_, target)| target);
+        let is_page = |target: &&str| target.starts_with('#') || target.starts_with("https://");
+        let files: Vec<&str> = inline.chain(defined).filter(|target| !is_page(target)).collect();
+        let files: Vec<&str> = files
+            .iter()
+            .map(|target| target.split([')', '\n']).next().unwrap_or_default())
+            .collect();
+        let allowed: &[&str] = if name == "mstmm" { &["src/crane.svg"] } else { &[] };
+        assert_eq!(files, allowed, "{name}: the readme links to files");
+    }
+}
+
 #[test]
 fn packages_contain_sources_and_texts_only() {
     for (name, folder) in published() {
