@@ -1,20 +1,19 @@
-//! Small URDF files, each with its text or with the reason why it is refused; and files with random errors.
+//! Small URDF files and MuJoCo models, each with its text or with the reason why it is refused; and files with random errors.
 
 use cargo_mstmm::import::{Options, import};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf")
-}
-
 /// Returns all files, in the order of their names.
 fn files() -> Vec<PathBuf> {
-    let entries =
-        fs::read_dir(folder()).expect("the folder is there").map(|entry| entry.unwrap().path());
-    let mut files: Vec<PathBuf> =
-        entries.filter(|path| path.extension().is_some_and(|e| e == "urdf")).collect();
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let mut files = Vec::new();
+    for (folder, extension) in [("urdf", "urdf"), ("mjcf", "xml")] {
+        let entries = fs::read_dir(tests.join(folder)).expect("the folder is there");
+        let paths = entries.map(|entry| entry.unwrap().path());
+        files.extend(paths.filter(|path| path.extension().is_some_and(|e| e == extension)));
+    }
     files.sort();
     files
 }
@@ -46,7 +45,7 @@ fn options(path: &Path, text: &str) -> Options {
 fn files_become_the_stored_texts() {
     let mut wrong = String::new();
     let files = files();
-    assert!(files.len() > 20, "the files are missing");
+    assert!(files.len() > 30, "the files are missing");
     for path in files {
         let text = fs::read_to_string(&path).unwrap();
         let (found, extension, other) = match import(&text, &options(&path, &text)) {

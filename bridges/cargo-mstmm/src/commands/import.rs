@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use super::{Failure, read, write};
 use crate::import::{Options, import};
 
-/// Write a URDF file as the text of a chain.
+/// Write a URDF file or a MuJoCo model as the text of a chain.
 #[derive(Args, Debug)]
 pub struct Import {
-    /// The URDF file
+    /// The URDF or MJCF file
     file: PathBuf,
     /// Only joints between the root and this link move; others are held at zero
     #[arg(long, value_name = "LINK")]

@@ -55,6 +55,16 @@ impl Frame {
         Frame { position, rotation: rotation(angles), angles: Some(angles) }
     }
 
+    /// Returns the frame at a position, with the axes of the outer frame.
+    pub fn at(position: Vector3<f64>) -> Self {
+        Frame { position: position.map(|x| x + 0.0), ..Frame::identity() }
+    }
+
+    /// Returns the frame with a rotation whose angles are within `snap` of whole degrees where they become these.
+    pub fn rotated(position: Vector3<f64>, rotation: &Matrix3<f64>, snap: f64) -> Self {
+        Frame::new(position, angles_of(rotation).map(|angle| Angle::snapped(angle, snap)))
+    }
+
     pub fn is_identity(&self) -> bool {
         self.position == Vector3::zeros() && self.is_parallel()
     }

@@ -1,4 +1,4 @@
-//! Reads a URDF file and writes it as the text of a chain.
+//! Reads a robot file, URDF or MJCF, and writes it as the text of a chain.
 //!
 //! ```text
 //! file --xml, robot--> links and joints --bodies--> tree of bodies --parts, naming--> text
@@ -14,6 +14,7 @@ mod error;
 mod expressions;
 mod frame;
 mod mass;
+mod mjcf;
 mod names;
 mod naming;
 mod numbers;
@@ -70,7 +71,7 @@ pub struct Imported {
     pub warnings: Vec<String>,
 }
 
-/// Returns a URDF file as the text of a chain.
+/// Returns a robot file, URDF or MJCF, as the text of a chain.
 ///
 /// # Errors
 ///
@@ -96,7 +97,8 @@ pub fn import(urdf: &str, options: &Options) -> Result<Imported> {
 
 /// Returns what the text has otherwise than the file; with `strict` this is an error.
 fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
-    let mut warnings: Vec<(Place, String)> = Vec::new();
+    let noted = robot.notes.iter().map(|note| (note.place, note.text.clone()));
+    let mut warnings: Vec<(Place, String)> = noted.collect();
     for joint in tree.bodies.iter().filter_map(|body| body.joint) {
         let joint = &robot.joints[joint];
         let name = joint.name.escape_debug();
@@ -106,10 +108,11 @@ fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
                 format!("joint `{name}` mimics `{other}` in the file, and is independent here");
             warnings.push((joint.place, warning));
         }
-        let omits = joint.damping > 0.0 || joint.friction > 0.0;
-        if matches!(joint.kind, Kind::Planar | Kind::Floating) && omits {
-            let warning =
-                format!("joint `{name}` has damping or friction in the file, and none here");
+        let omits = joint.damping > 0.0 || joint.friction > 0.0 || joint.armature > 0.0;
+        if matches!(joint.kind, Kind::Planar | Kind::Floating | Kind::Ball) && omits {
+            let warning = format!(
+                "joint `{name}` has damping, friction or a rotor in the file, and none here"
+            );
             warnings.push((joint.place, warning));
         }
     }

@@ -141,6 +141,7 @@ fn has_shape_of(source: Source, first: &[usize], second: &[usize]) -> bool {
             && one_joint.limit.range.is_some() == other_joint.limit.range.is_some()
             && (one_joint.damping == 0.0) == (other_joint.damping == 0.0)
             && (one_joint.friction == 0.0) == (other_joint.friction == 0.0)
+            && (one_joint.armature == 0.0) == (other_joint.armature == 0.0)
     };
     first.len() == second.len() && first.iter().zip(second).all(is_same)
 }

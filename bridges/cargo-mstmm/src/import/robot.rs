@@ -1,4 +1,4 @@
-//! A URDF file as links and joints, with all values checked. Collisions are ignored.
+//! A robot file as links and joints, with all values checked. Collisions are ignored.
 
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::{Document, ParsingOptions};
@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use super::error::{ImportError, Place, Result};
 use super::frame::{Angle, Frame};
 use super::mass::Mass;
+use super::mjcf;
 use super::visual::{Visual, visuals};
 use super::xml::Element;
 
@@ -15,6 +16,14 @@ pub struct Robot {
     pub name: String,
     pub links: Vec<Link>,
     pub joints: Vec<Joint>,
+    /// What the file has and the links and joints do not.
+    pub notes: Vec<Note>,
+}
+
+/// A warning about an element.
+pub struct Note {
+    pub place: Place,
+    pub text: String,
 }
 
 /// A link.
@@ -43,6 +52,8 @@ pub struct Joint {
     pub damping: f64,
     /// In N or N m.
     pub friction: f64,
+    /// The inertia of its rotor in kg or kg m²; URDF has none.
+    pub armature: f64,
     /// The joint that the file couples it to.
     pub mimic: Option<String>,
 }
@@ -56,6 +67,8 @@ pub enum Kind {
     Prismatic,
     Planar,
     Floating,
+    /// Only in MuJoCo models.
+    Ball,
 }
 
 /// The limits of a joint.
@@ -81,6 +94,11 @@ impl Robot {
             ImportError::at(position, format!("XML: {error}"))
         })?;
         let root = Element::new(document.root_element());
+        match root.tag() {
+            "mujoco" => return mjcf::read(root, snap),
+            "sdf" => return Err(mjcf::refuse_sdf(root)),
+            _ => {}
+        }
         if root.tag() != "robot" {
             return Err(root.error(format!("expected the element `robot`, found `{}`", root.tag())));
         }
@@ -105,7 +123,7 @@ impl Robot {
             }
         }
         let name = root.attribute("name").unwrap_or("robot").to_owned();
-        Ok(Robot { name, links, joints })
+        Ok(Robot { name, links, joints, notes: Vec::new() })
     }
 }
 
@@ -175,6 +193,7 @@ fn joint(element: Element, links: &HashMap<String, usize>, snap: f64) -> Result<
         limit: element.child("limit").map_or_else(|| Ok(Limit::default()), |e| limit(e, kind))?,
         damping: damping?,
         friction: friction?,
+        armature: 0.0,
         mimic,
     })
 }

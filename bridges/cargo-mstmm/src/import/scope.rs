@@ -141,6 +141,7 @@ impl<'a> Scope<'a> {
         let word = match first.kind {
             Kind::Fixed => return "weld".to_owned(),
             Kind::Floating => return "floating".to_owned(),
+            Kind::Ball => return "ball".to_owned(),
             Kind::Revolute | Kind::Continuous => "pin",
             Kind::Prismatic => "slider",
             Kind::Planar => "planar",
@@ -171,6 +172,7 @@ impl<'a> Scope<'a> {
             Kind::Planar | Kind::Floating => {
                 return vec!["force = input;".into(), "torque = input;".into()];
             }
+            Kind::Ball => return vec!["torque = input;".into()],
             Kind::Prismatic => &SLIDER,
             Kind::Revolute | Kind::Continuous => &PIN,
         };
@@ -185,6 +187,11 @@ impl<'a> Scope<'a> {
             let friction = self.number(&frictions, &format!("{name}_friction"));
             fields.push(format!("friction = {friction} {};", units.effort));
             fields.push(format!("friction_speed = {};", units.friction_speed));
+        }
+        let rotors = each(&joints, |joint| joint.armature);
+        if rotors.iter().any(|rotor| *rotor != 0.0) {
+            let armature = self.number(&rotors, &format!("{name}_armature"));
+            fields.push(format!("armature = {armature} {};", units.inertia));
         }
         let ranges: Vec<[f64; 2]> = joints.iter().filter_map(|joint| joint.limit.range).collect();
         if ranges.len() == joints.len() {
@@ -235,6 +242,7 @@ struct Units {
     effort_word: &'static str,
     effort: &'static str,
     damping: &'static str,
+    inertia: &'static str,
     /// The speed that smooths friction.
     friction_speed: &'static str,
     /// The largest effort that the file allows acts this far beyond a limit.
@@ -247,6 +255,7 @@ const PIN: Units = Units {
     effort_word: "torque",
     effort: "N*m",
     damping: "N*m*s/rad",
+    inertia: "kg*m^2",
     friction_speed: "0.1 rad/s",
     limit_stiffness: "N*m/deg",
 };
@@ -257,6 +266,7 @@ const SLIDER: Units = Units {
     effort_word: "force",
     effort: "N",
     damping: "N*s/m",
+    inertia: "kg",
     friction_speed: "0.01 m/s",
     limit_stiffness: "N/mm",
 };

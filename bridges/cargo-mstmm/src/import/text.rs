@@ -50,7 +50,7 @@ pub fn size(source: Source) -> String {
     let bodies = source.tree.bodies.len();
     let freedom = (0..bodies).map(|body| match source.joint(body).map(|joint| joint.kind) {
         None | Some(Kind::Floating) => 6,
-        Some(Kind::Planar) => 3,
+        Some(Kind::Planar | Kind::Ball) => 3,
         Some(_) => 1,
     });
     let freedom: usize = freedom.sum();

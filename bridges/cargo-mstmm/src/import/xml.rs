@@ -1,4 +1,4 @@
-//! Elements of a URDF file, with their numbers and places.
+//! Elements of a robot file, with their numbers and places.
 
 use nalgebra::Vector3;
 use roxmltree::Node;
@@ -27,8 +27,10 @@ impl<'a> Element<'a> {
 
     /// Makes an error that names the element and the link or the joint that contains it.
     pub fn error(self, message: impl std::fmt::Display) -> ImportError {
-        let owner =
-            self.node.ancestors().find(|node| matches!(node.tag_name().name(), "link" | "joint"));
+        let owner = self
+            .node
+            .ancestors()
+            .find(|node| matches!(node.tag_name().name(), "link" | "joint" | "body"));
         let name =
             owner.and_then(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
         let owner = name.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
@@ -38,6 +40,16 @@ impl<'a> Element<'a> {
     /// Returns the child elements with a tag, in the order of the file.
     pub fn children(self, tag: &str) -> impl Iterator<Item = Element<'a>> {
         self.node.children().filter(move |child| child.tag_name().name() == tag).map(Element::new)
+    }
+
+    /// Returns all child elements, in the order of the file.
+    pub fn any_children(self) -> impl Iterator<Item = Element<'a>> {
+        self.node.children().filter(Node::is_element).map(Element::new)
+    }
+
+    /// Returns the element and all elements in it, in the order of the file.
+    pub fn descendants(self) -> impl Iterator<Item = Element<'a>> {
+        self.node.descendants().filter(Node::is_element).map(Element::new)
     }
 
     pub fn child(self, tag: &str) -> Option<Element<'a>> {
@@ -77,16 +89,27 @@ impl<'a> Element<'a> {
 
     /// Returns three finite numbers, or the default if the attribute is absent.
     pub fn vector(self, name: &str, default: [f64; 3]) -> Result<Vector3<f64>> {
-        let Some(text) = self.attribute(name) else { return Ok(default.into()) };
-        let words = text.split_whitespace().map(str::parse::<f64>);
-        let numbers: Vec<f64> = words
-            .collect::<std::result::Result<_, _>>()
-            .map_err(|_| self.bad(name, "is not three numbers"))?;
-        let Ok(vector) = <[f64; 3]>::try_from(numbers) else {
+        if self.attribute(name).is_none() {
+            return Ok(default.into());
+        }
+        let Ok(vector) = <[f64; 3]>::try_from(self.numbers_in(name, "is not three numbers")?)
+        else {
             return Err(self.bad(name, "is not three numbers"));
         };
-        match vector.iter().all(|number| number.is_finite()) {
-            true => Ok(vector.into()),
+        Ok(vector.into())
+    }
+
+    /// Returns finite numbers; none if the attribute is absent.
+    pub fn numbers(self, name: &str) -> Result<Vec<f64>> {
+        self.numbers_in(name, "is not a list of numbers")
+    }
+
+    fn numbers_in(self, name: &str, reason: &str) -> Result<Vec<f64>> {
+        let words = self.attribute(name).unwrap_or_default().split_whitespace();
+        let numbers = words.map(str::parse::<f64>).collect::<std::result::Result<Vec<_>, _>>();
+        let numbers = numbers.map_err(|_| self.bad(name, reason))?;
+        match numbers.iter().all(|number| number.is_finite()) {
+            true => Ok(numbers),
             false => Err(self.bad(name, "is not finite")),
         }
     }

@@ -1,0 +1,215 @@
+//! The attributes of elements with those of their default classes, and the settings of the compiler.
+
+use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
+use std::collections::HashMap;
+
+use super::super::error::{ImportError, Result};
+use super::super::xml::Element;
+
+/// The attributes of an element, and those of its default classes, innermost first.
+pub struct Attributes<'a> {
+    elements: Vec<Element<'a>>,
+}
+
+impl<'a> Attributes<'a> {
+    /// Returns the attributes of an element without default classes.
+    pub fn only(element: Element<'a>) -> Self {
+        Attributes { elements: vec![element] }
+    }
+
+    /// Returns the element.
+    pub fn element(&self) -> Element<'a> {
+        self.elements[0]
+    }
+
+    /// Returns the text of an attribute. Names are those of single elements.
+    pub fn text(&self, name: &str) -> Option<&'a str> {
+        // A class cannot name its joints.
+        let elements = if name == "name" { &self.elements[..1] } else { &self.elements[..] };
+        elements.iter().find_map(|element| element.attribute(name))
+    }
+
+    /// Returns the finite numbers of an attribute; none if it is absent.
+    pub fn numbers_of(&self, name: &str) -> Result<Vec<f64>> {
+        let Some(element) = self.elements.iter().find(|it| it.attribute(name).is_some()) else {
+            return Ok(Vec::new());
+        };
+        element.numbers(name)
+    }
+
+    /// Returns the numbers of an attribute; none if it is absent.
+    pub fn numbers<const N: usize>(&self, name: &str) -> Result<Option<[f64; N]>> {
+        let numbers = self.numbers_of(name)?;
+        if numbers.is_empty() {
+            return Ok(None);
+        }
+        let count = numbers.len();
+        let wrong = |_| self.element().error(format!("`{name}` has {count} numbers, not {N}"));
+        <[f64; N]>::try_from(numbers).map(Some).map_err(wrong)
+    }
+
+    /// Returns three numbers.
+    pub fn vector(&self, name: &str, default: [f64; 3]) -> Result<Vector3<f64>> {
+        Ok(self.numbers(name)?.unwrap_or(default).into())
+    }
+}
+
+/// The default classes of a file.
+pub struct Defaults<'a> {
+    /// The elements `default` of each class, from it to the main class.
+    classes: HashMap<&'a str, Vec<Element<'a>>>,
+}
+
+/// The name of the class that all elements have.
+const MAIN: &str = "main";
+
+impl<'a> Defaults<'a> {
+    /// Reads the elements `default` of a file.
+    pub fn read(root: Element<'a>) -> Result<Self> {
+        let mut classes = HashMap::new();
+        let mut waiting: Vec<(Element<'a>, Vec<Element<'a>>)> =
+            root.children("default").map(|element| (element, Vec::new())).collect();
+        while let Some((element, outer)) = waiting.pop() {
+            let class = match element.attribute("class") {
+                Some(class) => class,
+                None if outer.is_empty() => MAIN,
+                None => return Err(element.error("a class in a class has no attribute `class`")),
+            };
+            let chain: Vec<Element<'a>> = [&[element], &outer[..]].concat();
+            waiting.extend(element.children("default").map(|inner| (inner, chain.clone())));
+            // The root class may have a name, and is the main class.
+            if outer.is_empty() {
+                classes.insert(MAIN, chain.clone());
+            }
+            classes.insert(class, chain);
+        }
+        Ok(Defaults { classes })
+    }
+
+    /// Returns the attributes of an element: its own, those of its class, or else of the class of its body.
+    pub fn of(
+        &self,
+        element: Element<'a>,
+        tag: &str,
+        of_body: Option<&'a str>,
+    ) -> Result<Attributes<'a>> {
+        let mut elements = vec![element];
+        if element.tag() == "freejoint" {
+            return Ok(Attributes { elements });
+        }
+        let class = element.attribute("class").or(of_body);
+        match self.classes.get(class.unwrap_or(MAIN)) {
+            Some(chain) => elements.extend(chain.iter().filter_map(|class| class.child(tag))),
+            None => {
+                if let Some(class) = class {
+                    return Err(element.error(format!("the class `{class}` does not exist")));
+                }
+            }
+        }
+        Ok(Attributes { elements })
+    }
+}
+
+/// The settings of the element `compiler`.
+pub struct Compiler {
+    /// Angles within this of whole degrees are these.
+    pub snap: f64,
+    in_degrees: bool,
+    euler: Vec<char>,
+    /// Whether a range limits a joint without `limited`.
+    pub limits_alone: bool,
+}
+
+impl Compiler {
+    /// Reads the elements `compiler` of a file.
+    pub fn read(root: Element, snap: f64) -> Result<Self> {
+        let mut read =
+            Compiler { snap, in_degrees: true, euler: "xyz".chars().collect(), limits_alone: true };
+        for compiler in root.children("compiler") {
+            let is_set = |name: &str, value: &str| compiler.attribute(name) == Some(value);
+            let refused = |reason: &str| -> Result<()> { Err(compiler.error(reason)) };
+            if is_set("coordinate", "global") {
+                refused("`coordinate=\"global\"` is not read")?;
+            }
+            if is_set("inertiafromgeom", "true") {
+                refused("`inertiafromgeom=\"true\"`: masses of geoms are not read")?;
+            }
+            if is_set("balanceinertia", "true") {
+                refused("`balanceinertia` changes tensors, and is not read")?;
+            }
+            for setting in ["boundmass", "boundinertia", "settotalmass"] {
+                if compiler.number(setting, 0.0)? > 0.0 {
+                    refused(&format!("`{setting}` changes masses, and is not read"))?;
+                }
+            }
+            match compiler.attribute("angle") {
+                Some("radian") => read.in_degrees = false,
+                Some("degree") => read.in_degrees = true,
+                _ => {}
+            }
+            if let Some(sequence) = compiler.attribute("eulerseq") {
+                read.euler = sequence.chars().collect();
+                let is_axis = |letter: &char| "xyzXYZ".contains(*letter);
+                if read.euler.len() != 3 || !read.euler.iter().all(is_axis) {
+                    refused("`eulerseq` is not three axes")?;
+                }
+            }
+            if is_set("autolimits", "false") {
+                read.limits_alone = false;
+            }
+        }
+        Ok(read)
+    }
+
+    /// Returns an angle in rad.
+    pub fn angle(&self, angle: f64) -> f64 {
+        if self.in_degrees { angle.to_radians() } else { angle }
+    }
+
+    /// Returns the rotation of the orientation that an element has in any of its forms.
+    pub fn orientation(&self, element: &Attributes) -> Result<Matrix3<f64>> {
+        let error = |reason: &str| -> ImportError { element.element().error(reason) };
+        let unit = |vector: Vector3<f64>| {
+            Unit::try_new(vector, 1e-12).ok_or_else(|| error("an axis of the orientation is zero"))
+        };
+        if let Some([w, x, y, z]) = element.numbers("quat")? {
+            let quaternion = Quaternion::new(w, x, y, z);
+            let unit = UnitQuaternion::try_new(quaternion, 1e-12);
+            let unit = unit.ok_or_else(|| error("the quaternion is zero"))?;
+            return Ok(unit.to_rotation_matrix().into_inner());
+        }
+        if let Some([x, y, z, angle]) = element.numbers("axisangle")? {
+            let axis = unit(Vector3::new(x, y, z))?;
+            return Ok(Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner());
+        }
+        if let Some(angles) = element.numbers::<3>("euler")? {
+            let mut rotation = Matrix3::identity();
+            for (letter, angle) in self.euler.iter().zip(angles) {
+                let axis = match letter.to_ascii_lowercase() {
+                    'x' => Vector3::x_axis(),
+                    'y' => Vector3::y_axis(),
+                    _ => Vector3::z_axis(),
+                };
+                let next = Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner();
+                // Lower case: axes that move with the rotations.
+                let moves = letter.is_ascii_lowercase();
+                rotation = if moves { rotation * next } else { next * rotation };
+            }
+            return Ok(rotation);
+        }
+        if let Some([a, b, c, d, e, f]) = element.numbers("xyaxes")? {
+            let x = unit(Vector3::new(a, b, c))?;
+            let y = Vector3::new(d, e, f);
+            let y = unit(y - *x * x.dot(&y))?;
+            return Ok(Matrix3::from_columns(&[*x, *y, x.cross(&y)]));
+        }
+        if let Some(z) = element.numbers::<3>("zaxis")? {
+            let z = unit(z.into())?;
+            let rotation = Rotation3::rotation_between(&Vector3::z(), &z);
+            // Half a turn, about x as in MuJoCo.
+            let half = || Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
+            return Ok(rotation.unwrap_or_else(half).into_inner());
+        }
+        Ok(Matrix3::identity())
+    }
+}
