@@ -10,7 +10,8 @@
  * The program owns all memory. A struct may be anywhere, static or on a stack; it has the alignment of
  * mstmm_real. A pointer must point to a struct, or to an array of the stated length, or be null, which returns
  * MSTMM_NULL_POINTER. Two pointers of one call must not point to the same memory. A call that fails leaves
- * parameters, state and results unchanged; the private contents of a chain may change.
+ * parameters, state and results unchanged; the private contents of a chain may change. A function with
+ * matrices needs a few times their size on the stack.
  *
  * Constants have the name of the description in upper case, with underscores for points: `elbow.angle` is
  * ELBOW_ANGLE. Those of a repeated part are macros with the repetition as their argument: `joint[12].angle` is
