@@ -186,7 +186,20 @@ impl Motion {
     /// # Errors
     /// If the file cannot be written, or if there is no such frame or no poses are recorded.
     pub fn write_svg(&self, path: impl AsRef<Path>, frame: usize) -> io::Result<()> {
-        std::fs::write(path, picture::svg(self, frame)?)
+        self.write_svg_with(path, frame, &PageOptions::default())
+    }
+
+    /// Writes a still picture with options, of which it uses the folder of meshes.
+    ///
+    /// # Errors
+    /// As [`write_svg`](Self::write_svg). A body whose mesh cannot be read is drawn as one without shapes.
+    pub fn write_svg_with(
+        &self,
+        path: impl AsRef<Path>,
+        frame: usize,
+        options: &PageOptions,
+    ) -> io::Result<()> {
+        std::fs::write(path, picture::svg(self, frame, options)?)
     }
 
     /// Returns the still picture of a frame as text.
@@ -194,6 +207,14 @@ impl Motion {
     /// # Errors
     /// As [`write_svg`](Self::write_svg).
     pub fn svg(&self, frame: usize) -> io::Result<String> {
-        picture::svg(self, frame)
+        self.svg_with(frame, &PageOptions::default())
+    }
+
+    /// Returns the still picture of a frame as text, with options.
+    ///
+    /// # Errors
+    /// As [`write_svg`](Self::write_svg).
+    pub fn svg_with(&self, frame: usize, options: &PageOptions) -> io::Result<String> {
+        picture::svg(self, frame, options)
     }
 }

@@ -9,15 +9,32 @@ use std::ops::Deref;
 
 /// Records states of a chain with all its results: a [`Motion`] that grows.
 ///
-/// It refers to the chain, so parameters do not change while a motion is recorded.
+/// It refers to the chain or owns it, so parameters do not change while a motion is recorded.
 #[derive(Debug)]
 pub struct Recording<'a, C: Described> {
-    chain: &'a C,
+    chain: Held<'a, C>,
     at: C::Workspace,
     inputs: Vec<C::Scalar>,
     options: Options,
     calls: usize,
     motion: Motion,
+}
+
+#[derive(Debug)]
+enum Held<'a, C> {
+    Borrowed(&'a C),
+    Owned(Box<C>),
+}
+
+impl<C> Deref for Held<'_, C> {
+    type Target = C;
+
+    fn deref(&self) -> &C {
+        match self {
+            Held::Borrowed(chain) => chain,
+            Held::Owned(chain) => chain,
+        }
+    }
 }
 
 impl<'a, C> Recording<'a, C>
@@ -33,7 +50,17 @@ where
     /// Makes an empty recording with options.
     #[must_use]
     pub fn with(chain: &'a C, options: Options) -> Self {
-        let (mechanism, at) = (Mechanism::of(chain), chain.workspace());
+        Self::of(Held::Borrowed(chain), options)
+    }
+
+    /// Makes an empty recording that owns the chain, so that it can be kept.
+    #[must_use]
+    pub fn owned(chain: C, options: Options) -> Recording<'static, C> {
+        Recording::of(Held::Owned(Box::new(chain)), options)
+    }
+
+    fn of(chain: Held<'a, C>, options: Options) -> Self {
+        let (mechanism, at) = (Mechanism::of(&*chain), chain.workspace());
         let layout = Layout::new(C::DESCRIPTION, &mechanism, &options, computed::<C>(&at));
         let inputs = vec![C::Scalar::default(); C::DESCRIPTION.inputs().len()];
         Recording { chain, at, inputs, options, calls: 0, motion: Motion::new(mechanism, layout) }

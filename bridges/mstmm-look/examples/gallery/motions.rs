@@ -7,7 +7,7 @@ use mstmm::{ChainState, Described, Error};
 use mstmm_look::{Motion, Options, Recording};
 
 /// Integrates a chain, and records a frame after every `steps` steps.
-fn record<C>(
+pub fn record<C>(
     chain: &C,
     (frames, steps, step): (usize, usize, f64),
     inputs: impl Fn(f64, &C::State) -> C::Inputs,

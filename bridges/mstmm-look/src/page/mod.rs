@@ -12,7 +12,7 @@ use mstmm_runtime::description::{Geometry, Shape};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const STYLE: &str = include_str!("style.css");
 const BODY: &str = include_str!("page.html");
@@ -43,12 +43,16 @@ impl PageOptions {
         self
     }
 
-    /// Sets the folder in which STL and OBJ files of shapes are searched. Without it a shape that is a mesh is drawn as
-    /// a marker.
+    /// Sets the folder in which STL and OBJ files of shapes are searched. A body whose meshes are not found is drawn as
+    /// one without shapes.
     #[must_use]
     pub fn meshes(mut self, folder: impl Into<PathBuf>) -> Self {
         self.meshes = Some(folder.into());
         self
+    }
+
+    pub(crate) fn mesh_folder(&self) -> Option<&Path> {
+        self.meshes.as_deref()
     }
 }
 
@@ -165,7 +169,7 @@ fn add_mesh(meshes: &mut Map<String, Value>, options: &PageOptions, path: &str) 
     if meshes.contains_key(path) {
         return;
     }
-    let value = match mesh::read(options.meshes.as_deref(), path) {
+    let value = match mesh::read(options.mesh_folder(), path) {
         Ok(corners) => {
             let bytes = corners.iter().flatten().flat_map(|it| (*it as f32).to_le_bytes());
             json!({ "corners": STANDARD.encode(bytes.collect::<Vec<u8>>()) })

@@ -67,7 +67,7 @@ class Scene {
     this.notes = [];
     for (const [path, it] of Object.entries(model.meshes)) {
       if (it.corners) renderer.surface("mesh " + path, mesh(bytesOf(it.corners)));
-      else this.notes.push(`mesh ${path}: ${it.note}; a marker is drawn instead`);
+      else this.notes.push(`mesh ${path}: ${it.note}; it is not drawn`);
     }
     this.shaped = model.bodies.map(body => this.partsOfShapes(body));
     this.plain = model.bodies.map(body => this.partsOfPoints(body));
@@ -108,7 +108,6 @@ class Scene {
         part("cylinder", [radius, radius, length]);
         for (const s of [-0.5, 0.5]) part("sphere", [radius, radius, radius], add(position, axis(2, s * length)));
       } else if (model.meshes[geometry.mesh].corners) part("mesh " + geometry.mesh, [1, 1, 1]);
-      else { const edge = 0.06 * this.extent.size; part("box", [edge, edge, edge], position, [...STEEL, 1]); }
     }
     return parts;
   }
@@ -178,7 +177,7 @@ class Scene {
     model.bodies.forEach((body, index) => {
       if (body.input === null) return;
       const [at, turned] = this.pose(index, frame);
-      const hasShapes = settings.shapes && body.shapes.length > 0;
+      const hasShapes = settings.shapes && this.shaped[index].length > 0;
       for (const { kind, x, y, z, origin, tint } of hasShapes ? this.shaped[index] : this.plain[index]) {
         renderer.add(kind, rotate(turned, x), rotate(turned, y), rotate(turned, z), add(at, rotate(turned, origin)), tint);
       }

@@ -4,9 +4,10 @@ mod projection;
 mod svg;
 
 use crate::rotation::{Quaternion, Vector, difference, norm, rotated, sum};
-use crate::{Body, Motion};
+use crate::{Body, Motion, PageOptions, mesh};
 use mstmm_runtime::description::{Geometry, Shape};
 use projection::Projection;
+use std::collections::BTreeMap;
 use std::io;
 use svg::Svg;
 
@@ -19,7 +20,7 @@ const GREY: &str = "#77808a";
 const ARROW: f64 = 0.24;
 
 /// Returns the picture of a frame.
-pub fn svg(motion: &Motion, frame: usize) -> io::Result<String> {
+pub fn svg(motion: &Motion, frame: usize, options: &PageOptions) -> io::Result<String> {
     let refused = |message: String| io::Error::new(io::ErrorKind::InvalidInput, message);
     let Some(row) = motion.row(frame) else {
         return Err(refused(format!("the recording has {} frames, none is {frame}", motion.len())));
@@ -31,7 +32,8 @@ pub fn svg(motion: &Motion, frame: usize) -> io::Result<String> {
         return Err(refused(format!("frame {frame} has a value that is not finite")));
     }
     let projection = Projection::of(motion.mechanism());
-    let still = Still { motion, row, projection };
+    let meshes = meshes(motion, options);
+    let still = Still { motion, row, projection, meshes };
     Ok(still.draw())
 }
 
@@ -40,6 +42,20 @@ struct Still<'a> {
     motion: &'a Motion,
     row: &'a [f64],
     projection: Projection,
+    /// The corners of the meshes that can be read, by the paths of the description.
+    meshes: BTreeMap<String, mesh::Corners>,
+}
+
+/// Returns the meshes that can be read.
+fn meshes(motion: &Motion, options: &PageOptions) -> BTreeMap<String, mesh::Corners> {
+    let shapes = motion.mechanism().bodies.iter().flat_map(|body| &body.shapes);
+    let read = shapes.filter_map(|shape| match &shape.geometry {
+        Geometry::Mesh(path) => {
+            mesh::read(options.mesh_folder(), path).ok().map(|corners| (path.to_string(), corners))
+        }
+        _ => None,
+    });
+    read.collect()
 }
 
 /// An arrow in pixels with its label.
@@ -85,13 +101,13 @@ impl Still<'_> {
             let body = &mechanism.bodies[*index];
             let colour = BODIES[self.type_number(body) % BODIES.len()];
             let within = |local: Vector| sum(*at, rotated(*turned, local));
-            if body.shapes.is_empty() {
+            if !body.shapes.iter().any(|it| self.is_drawn(it)) {
                 for end in self.ends(body, *at, *turned) {
                     svg.rod(pixel(*at), pixel(end), colour);
                 }
             }
             for it in &body.shapes {
-                shape(&mut svg, it, colour, scale, &|local| pixel(within(local)));
+                self.shape(&mut svg, it, colour, scale, &|local| pixel(within(local)));
             }
             svg.joint(pixel(*at), GREY);
             svg.mass(pixel(within(body.com)));
@@ -100,6 +116,14 @@ impl Still<'_> {
             svg.arrow(arrow.from, arrow.along, arrow.colour, arrow.heads, &arrow.label);
         }
         svg.finish(&format!("{} with the forces at the inputs of its bodies", mechanism.name))
+    }
+
+    /// Returns whether a shape can be drawn; a mesh cannot if its file is not read.
+    fn is_drawn(&self, shape: &Shape) -> bool {
+        match &shape.geometry {
+            Geometry::Mesh(path) => self.meshes.contains_key::<str>(path),
+            _ => true,
+        }
     }
 
     /// Returns the larger of width and height of all places.
@@ -190,44 +214,47 @@ impl Still<'_> {
         });
         arrows.collect()
     }
-}
 
-/// Draws a shape from a function that returns the pixel of a place in the body frame.
-fn shape(
-    svg: &mut Svg,
-    shape: &Shape,
-    colour: &'static str,
-    scale: f64,
-    pixel: &dyn Fn(Vector) -> [f64; 2],
-) {
-    let within = |local: Vector| pixel(sum(shape.position, rotated(shape.orientation, local)));
-    match shape.geometry {
-        Geometry::Box([x, y, z]) => {
-            let corner = |k: usize| {
-                let side = |axis: usize| if k >> axis & 1 == 1 { 0.5 } else { -0.5 };
-                within([x * side(0), y * side(1), z * side(2)])
-            };
-            svg.hull((0..8).map(corner).collect(), colour);
-        }
-        Geometry::Cylinder { radius, length } => {
-            let rim = |k: usize| {
-                let angle = f64::from(k as u32 % 24) * std::f64::consts::TAU / 24.0;
-                let z = if k < 24 { -0.5 } else { 0.5 };
-                within([radius * angle.cos(), radius * angle.sin(), z * length])
-            };
-            svg.hull((0..48).map(rim).collect(), colour);
-        }
-        Geometry::Capsule { radius, length } => {
-            let [from, to] = [-0.5, 0.5].map(|side| within([0.0, 0.0, side * length]));
-            svg.thick(from, to, colour, 2.0 * radius * scale);
-        }
-        Geometry::Sphere { radius } => {
-            let at = within([0.0; 3]);
-            svg.thick(at, at, colour, 2.0 * radius * scale);
-        }
-        Geometry::Mesh(_) => {
-            let at = within([0.0; 3]);
-            svg.thick(at, at, GREY, 0.05 * Svg::METRES);
+    /// Draws a shape from a function that returns the pixel of a place in the body frame.
+    fn shape(
+        &self,
+        svg: &mut Svg,
+        shape: &Shape,
+        colour: &'static str,
+        scale: f64,
+        pixel: &dyn Fn(Vector) -> [f64; 2],
+    ) {
+        let within = |local: Vector| pixel(sum(shape.position, rotated(shape.orientation, local)));
+        match &shape.geometry {
+            Geometry::Box([x, y, z]) => {
+                let corner = |k: usize| {
+                    let side = |axis: usize| if k >> axis & 1 == 1 { 0.5 } else { -0.5 };
+                    within([x * side(0), y * side(1), z * side(2)])
+                };
+                svg.hull((0..8).map(corner).collect(), colour);
+            }
+            Geometry::Cylinder { radius, length } => {
+                let rim = |k: usize| {
+                    let angle = f64::from(k as u32 % 24) * std::f64::consts::TAU / 24.0;
+                    let z = if k < 24 { -0.5 } else { 0.5 };
+                    within([radius * angle.cos(), radius * angle.sin(), z * length])
+                };
+                svg.hull((0..48).map(rim).collect(), colour);
+            }
+            Geometry::Capsule { radius, length } => {
+                let [from, to] = [-0.5, 0.5].map(|side| within([0.0, 0.0, side * length]));
+                svg.thick(from, to, colour, 2.0 * radius * scale);
+            }
+            Geometry::Sphere { radius } => {
+                let at = within([0.0; 3]);
+                svg.thick(at, at, colour, 2.0 * radius * scale);
+            }
+            Geometry::Mesh(path) => {
+                // The outline: meshes of links are nearly convex.
+                if let Some(corners) = self.meshes.get::<str>(path) {
+                    svg.hull(corners.iter().map(|corner| within(*corner)).collect(), colour);
+                }
+            }
         }
     }
 }
