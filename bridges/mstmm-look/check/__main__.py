@@ -163,7 +163,7 @@ def meshes_are_drawn(page):
     """Meshes of STL and OBJ files are drawn at their places; the page names the one that is missing, whose body is drawn as
     one without shapes."""
     notes = page.ask("document.getElementById('notes').textContent")
-    assert "mesh absent.stl: the file is not in" in notes and "block.stl" not in notes and "wedge.obj" not in notes, notes
+    assert "mesh absent.stl: the file is not in the folder" in notes and "block.stl" not in notes and "wedge.obj" not in notes, notes
     page.ask("['forces', 'moments', 'trails'].forEach(name => { const it = document.getElementById(name); it.value = 'none'; it.dispatchEvent(new Event('input')); })")
     with_meshes = painted(page)
     page.click("#shapes")

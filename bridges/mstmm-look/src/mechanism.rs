@@ -89,11 +89,14 @@ impl Mechanism {
             Place { name, body }
         });
         let points = points.collect();
+        // Gravity is that of results: here those of the start, without inputs. If they cannot be computed it is zero.
+        let mut at = chain.workspace();
+        let _ = chain.solve_into(&chain.initial_state(), &chain.no_inputs(), &mut at);
         Mechanism {
             name: it.name().to_owned(),
             docs: it.docs().to_owned(),
             dimension: it.dimension(),
-            gravity: C::gravity(&chain.workspace()).map(Into::into),
+            gravity: C::gravity(&at).map(Into::into),
             bodies,
             points,
         }

@@ -26,7 +26,7 @@ pub fn read(folder: Option<&Path>, written: &str) -> Result<Corners, String> {
     let found =
         candidates.map(|rest: std::path::PathBuf| folder.join(rest)).find(|it| it.is_file());
     let Some(file) = found.filter(|_| is_inside) else {
-        return Err(format!("the file is not in {}", folder.display()));
+        return Err("the file is not in the folder of meshes".to_owned());
     };
     let bytes = fs::read(&file).map_err(|error| error.to_string())?;
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();

@@ -14,7 +14,7 @@ pub fn train() -> Result<Motion, Error> {
     let files = ["package://look/meshes/block.stl", "wedge.obj", "absent.stl"];
     let mut files = files.into_iter().cycle();
     for body in &mut motion.mechanism_mut().bodies {
-        let geometry = Geometry::Mesh(files.next().unwrap_or_default().into());
+        let geometry = Geometry::Mesh(files.next().unwrap_or_default());
         body.shapes =
             vec![Shape { geometry, position: [7.5, 0.0, 0.0], orientation: [1.0, 0.0, 0.0, 0.0] }];
     }

@@ -24,7 +24,7 @@ function normals(n) {
   return [a, cross(n, a)];
 }
 
-/** A surface: corners, normals and triangles. */
+/** A surface: corners, normals and triangles. Those of closed surfaces are counter-clockwise from outside. */
 class Surface {
   constructor() { this.corners = []; this.normals = []; this.triangles = []; }
   vertex(corner, normal) { this.corners.push(...corner); this.normals.push(...normal); return this.corners.length / 3 - 1; }
@@ -74,18 +74,18 @@ function cube() {
         return surface.vertex(corner, normal);
       };
       const [a, b, c, d] = [at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)];
-      surface.triangles.push(a, b, c, a, c, d);
+      surface.triangles.push(...side > 0 ? [a, b, c, a, c, d] : [a, c, b, a, d, c]);
     }
   }
   return surface;
 }
-/** The triangles of a mesh, each with its own normal. */
+/** The triangles of a mesh, each with its own corners and normal. */
 function mesh(bytes) {
   const numbers = new Float32Array(bytes.buffer, 0, bytes.length >> 2), surface = new Surface();
   for (let k = 0; k + 8 < numbers.length; k += 9) {
     const [a, b, c] = [0, 3, 6].map(n => Array.from(numbers.subarray(k + n, k + n + 3)));
     const normal = unit(cross(subtract(b, a), subtract(c, a)));
-    surface.triangles.push(...[a, b, c].map(corner => surface.vertex(corner, normal)));
+    for (const corner of [a, b, c]) surface.vertex(corner, normal);
   }
   return surface;
 }

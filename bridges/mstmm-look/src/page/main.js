@@ -15,7 +15,7 @@ function upwards() {
 /** Returns a colour of the style sheet as components from 0 to 1. */
 function tint(name) {
   const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  return [...[1, 3, 5].map(k => parseInt(text.slice(k, k + 2), 16) / 255), 1];
+  return [1, 3, 5].map(k => parseInt(text.slice(k, k + 2), 16) / 255);
 }
 
 class Page {
@@ -43,7 +43,7 @@ class Page {
   changed() { this.isStale = true; }
 
   resize() {
-    const { clientWidth: width, clientHeight: height } = element("stage"), ratio = Math.min(devicePixelRatio, 2);
+    const { clientWidth: width, clientHeight: height } = element("stage"), ratio = BY_SOFTWARE ? 1 : Math.min(devicePixelRatio, 2);
     for (const canvas of [this.canvas, this.renderer.gl.canvas]) {
       if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
       if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
@@ -173,24 +173,29 @@ class Page {
   draw() {
     const { camera, scene, overlay, frame, motion } = this;
     if (settings.follow) this.follow();
-    this.colours ??= { force: tint("--force"), moment: tint("--moment"), weight: tint("--weight") };
-    const style = getComputedStyle(document.documentElement), css = name => style.getPropertyValue(name).trim();
-    camera.update(element("stage").clientWidth, element("stage").clientHeight);
+    this.colours ??= { force: tint("--force"), moment: tint("--moment"), weight: tint("--weight"), css: new Map() };
+    const css = name => this.css(name);
     overlay.begin(camera, this.ratio, [css("--sky"), css("--ground")]);
     overlay.halo = css("--halo");
     if (settings.grid) overlay.grid(css("--grid"));
     for (const [placeAt, colour] of this.trails(css("--accent"))) overlay.trail(placeAt, motion, frame, colour);
     this.renderer.begin(camera, this.canvas.width, this.canvas.height);
     scene.addBodies(frame);
-    this.renderer.flush(false);
     const arrows = scene.arrows(frame);
     scene.addArrows(arrows, camera, this.colours);
-    this.renderer.flush(true);
+    this.renderer.flush();
     overlay.picture(this.renderer.gl.canvas);
     this.annotate(arrows, css);
     this.drawn++;
     const now = performance.now();
     if (now - this.counted > 1000) [this.rate, this.drawn, this.counted] = [1000 * this.drawn / (now - this.counted), 0, now];
+  }
+
+  /** Returns a value of the style sheet; the browser takes long to look it up. */
+  css(name) {
+    const { css } = this.colours;
+    if (!css.has(name)) css.set(name, getComputedStyle(document.documentElement).getPropertyValue(name).trim());
+    return css.get(name);
   }
 
   /** Moves the camera with the bodies. */

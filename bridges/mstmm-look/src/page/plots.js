@@ -71,6 +71,7 @@ class Plots {
   draw(plot) {
     const { motion } = this, width = plot.area.clientWidth, height = plot.area.clientHeight, ratio = devicePixelRatio;
     if (!width) return;
+    plot.width = width;
     [plot.canvas.width, plot.canvas.height] = [width * ratio, height * ratio];
     const context = plot.canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
     const soft = style.getPropertyValue("--soft"), faint = style.getPropertyValue("--line");
@@ -127,7 +128,7 @@ class Plots {
     this.frame = frame;
     const { motion } = this, share = (motion.time(frame) - motion.start) / (motion.end - motion.start || 1);
     for (const plot of this.all) {
-      const [left, right] = this.sides(plot.area.clientWidth);
+      const [left, right] = this.sides(plot.width ?? plot.area.clientWidth);
       plot.cursor.style.transform = `translateX(${left + share * (right - left)}px)`;
       plot.columns.forEach((column, index) => {
         const value = motion.value(column, frame), isZero = Math.abs(value) <= 1.01 * motion.uncertainty(column);

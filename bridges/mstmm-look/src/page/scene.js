@@ -60,13 +60,13 @@ class Scene {
     [this.motion, this.renderer, this.settings] = [motion, renderer, settings];
     this.extent = new Extent(motion);
     const surfaces = {
-      sphere: sphere(20, 12), cylinder: cylinder(20), cone: cone(18), box: cube(),
+      sphere: BY_SOFTWARE ? sphere(14, 8) : sphere(20, 12), cylinder: cylinder(20), cone: cone(18), box: cube(),
       "sphere small": sphere(8, 5), "cylinder small": cylinder(8), "cone small": cone(8),
     };
     for (const [name, surface] of Object.entries(surfaces)) renderer.surface(name, surface);
     this.notes = [];
     for (const [path, it] of Object.entries(model.meshes)) {
-      if (it.corners) renderer.surface("mesh " + path, mesh(bytesOf(it.corners)));
+      if (it.corners) renderer.mesh("mesh " + path, mesh(bytesOf(it.corners)));
       else this.notes.push(`mesh ${path}: ${it.note}; it is not drawn`);
     }
     this.shaped = model.bodies.map(body => this.partsOfShapes(body));
@@ -95,7 +95,7 @@ class Scene {
 
   /** Parts are [kind, axes and origin in the body frame, colour]. */
   partsOfShapes(body) {
-    const parts = [], colour = [...colourOf.get(body.type), 1];
+    const parts = [], colour = colourOf.get(body.type);
     for (const { geometry, position, orientation } of body.shapes) {
       const axis = (k, length) => { const a = [0, 0, 0]; a[k] = length; return rotate(orientation, a); };
       const part = (kind, [x, y, z], at = position, tint = colour) =>
@@ -119,7 +119,7 @@ class Scene {
 
   /** A body without shapes: capsules from its input to its other points, to its centre of mass if there are none. */
   partsOfPoints(body) {
-    const parts = [], colour = [...colourOf.get(body.type), 1], size = this.extent.size;
+    const parts = [], colour = colourOf.get(body.type), size = this.extent.size;
     let ends = this.endsOf(body);
     const isFree = ends.length === 0;
     if (isFree && norm(body.com) > 1e-6 * size) ends = [body.com];
@@ -136,7 +136,7 @@ class Scene {
       parts.push({ kind: "box", x: [edge, 0, 0], y: [0, edge, 0], z: [0, 0, edge], origin: body.com, tint: colour });
     }
     const joint = 1.3 * radius;
-    parts.push({ kind: "sphere", x: [joint, 0, 0], y: [0, joint, 0], z: [0, 0, joint], origin: [0, 0, 0], tint: [...STEEL, 1] });
+    parts.push({ kind: "sphere", x: [joint, 0, 0], y: [0, joint, 0], z: [0, 0, joint], origin: [0, 0, 0], tint: STEEL });
     return parts;
   }
 
@@ -187,7 +187,7 @@ class Scene {
       if (point.body !== null) return;
       const at = this.motion.position(index, frame), turned = this.motion.orientation(index, frame);
       const axis = (k, length) => { const a = [0, 0, 0]; a[k] = length; return rotate(turned, a); };
-      renderer.add("box", axis(0, edge), axis(1, edge), axis(2, edge), at, [...GROUND, 1]);
+      renderer.add("box", axis(0, edge), axis(1, edge), axis(2, edge), at, GROUND);
     });
   }
 
@@ -226,10 +226,10 @@ class Scene {
       const tip = Math.min(5.5 * thin, 0.6 * length), tint = colours[kind], heads = kind === "moment" ? [0, 0.75 * tip] : [0];
       const shaft = length - tip;
       if (shaft > 0) {
-        this.renderer.add("cylinder", scaled(a, thin), scaled(b, thin), scaled(n, shaft), add(at, scaled(n, shaft / 2)), tint);
+        this.renderer.add("cylinder", scaled(a, thin), scaled(b, thin), scaled(n, shaft), add(at, scaled(n, shaft / 2)), tint, ARROWS);
       }
       for (const back of heads) {
-        this.renderer.add("cone", scaled(a, 2.4 * thin), scaled(b, 2.4 * thin), scaled(n, tip), add(at, scaled(n, length - tip - back)), tint);
+        this.renderer.add("cone", scaled(a, 2.4 * thin), scaled(b, 2.4 * thin), scaled(n, tip), add(at, scaled(n, length - tip - back)), tint, ARROWS);
       }
     }
   }

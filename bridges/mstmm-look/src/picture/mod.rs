@@ -250,9 +250,9 @@ impl Still<'_> {
                 svg.thick(at, at, colour, 2.0 * radius * scale);
             }
             Geometry::Mesh(path) => {
-                // The outline: meshes of links are nearly convex.
                 if let Some(corners) = self.meshes.get::<str>(path) {
-                    svg.hull(corners.iter().map(|corner| within(*corner)).collect(), colour);
+                    let places: Vec<[f64; 2]> = corners.iter().map(|it| within(*it)).collect();
+                    svg.triangles(&places, colour);
                 }
             }
         }

@@ -67,6 +67,20 @@ impl Svg {
         ));
     }
 
+    /// Triangles as one area.
+    pub fn triangles(&mut self, corners: &[Pixel], colour: &str) {
+        let mut path = String::new();
+        for triangle in corners.chunks_exact(3) {
+            // All with the same direction, so that those in front and behind add up.
+            let [[a, b], [c, d], [e, f]] = [triangle[0], triangle[1], triangle[2]];
+            if (c - a) * (f - b) - (d - b) * (e - a) > 0.0 {
+                let _ = write!(path, "M{a:.1} {b:.1}L{c:.1} {d:.1}L{e:.1} {f:.1}z");
+            }
+        }
+        corners.iter().for_each(|place| self.include(*place, 4.0));
+        self.add(format_args!("<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.75\"/>"));
+    }
+
     /// A joint.
     pub fn joint(&mut self, [x, y]: Pixel, colour: &str) {
         self.include([x, y], 6.0);
