@@ -1,8 +1,8 @@
 //! Many states: rows of arrays, on all cores.
 
 use std::num::NonZero;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::thread;
 
 use mstmm::Error;
@@ -70,6 +70,9 @@ const SMALL: usize = 512;
 
 /// The stack of a thread in bytes, for the matrices of long chains.
 const STACK: usize = 64 << 20;
+
+/// The number of cores. The system is asked once, because its answer takes as long as some computations of a state.
+static CORES: OnceLock<usize> = OnceLock::new();
 
 /// Computes many states of a chain.
 #[derive(Clone, Copy, Debug)]
@@ -156,7 +159,9 @@ impl Batch<'_> {
     fn thread_count(&self) -> usize {
         match self.threads {
             Threads::Count(count) => count.get(),
-            Threads::Cores => thread::available_parallelism().map_or(1, NonZero::get),
+            Threads::Cores => {
+                *CORES.get_or_init(|| thread::available_parallelism().map_or(1, NonZero::get))
+            }
         }
     }
 

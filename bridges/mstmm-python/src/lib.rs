@@ -13,6 +13,8 @@
 
 mod batch;
 mod blocks;
+#[cfg(feature = "extension")]
+mod record;
 mod work;
 
 #[cfg(feature = "extension")]
@@ -26,6 +28,9 @@ pub use work::{Method, POINT_VALUES, Work};
 #[cfg(feature = "extension")]
 #[doc(hidden)]
 pub use pyo3;
+#[cfg(feature = "extension")]
+#[doc(hidden)]
+pub use record::Recorder;
 
 /// Makes a Python module with a class for each chain: `module!(robots: CartPole, Arm)`.
 ///
@@ -42,7 +47,10 @@ macro_rules! module {
         ) -> $crate::pyo3::PyResult<()> {
             $crate::extension::fill(
                 module,
-                &[$(|| ::std::boxed::Box::new($crate::Model::<$chain<$crate::Lanes>>::default())),+],
+                ::std::vec![$($crate::extension::Maker {
+                    blocks: || ::std::boxed::Box::new($crate::Model::<$chain<$crate::Lanes>>::default()),
+                    record: || ::std::boxed::Box::new($crate::Recorder::<$chain<f64>>::default()),
+                }),+],
             )
         }
     };

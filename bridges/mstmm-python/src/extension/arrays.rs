@@ -5,6 +5,8 @@ use numpy::{PyArrayMethods, PyReadwriteArrayDyn};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::batch::Inputs;
+
 /// Returns an argument as an array of float64 in C order.
 fn checked<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let Ok(array) = value.cast::<PyUntypedArray>() else {
@@ -59,6 +61,37 @@ pub fn rows(name: &str, shape: &[usize], len: usize, entries: &str) -> PyResult<
             shown(shape)
         ))),
     }
+}
+
+/// Returns the inputs of all rows and, in a rollout, all steps.
+pub fn inputs<'a>(
+    array: Option<&'a PyReadonlyArrayDyn<'_, f64>>,
+    len: usize,
+    rows: usize,
+    steps: usize,
+) -> PyResult<Inputs<'a>> {
+    let Some(array) = array else {
+        return Ok(Inputs { values: &[], row_stride: 0, step_stride: 0 });
+    };
+    let values = slice(array)?;
+    let (row_stride, step_stride) = match *array.shape() {
+        [columns] if columns == len => (0, 0),
+        [all, columns] if columns == len && all == rows => (len, 0),
+        [all, each, columns] if columns == len && all == rows && each == steps && steps > 0 => {
+            (len * steps, len)
+        }
+        _ => {
+            let in_steps = match steps {
+                0 => String::new(),
+                _ => format!(" or ({rows}, {steps}, {len})"),
+            };
+            return Err(PyValueError::new_err(format!(
+                "inputs must have the shape ({len},) or ({rows}, {len}){in_steps}; their shape is {}",
+                shown(array.shape())
+            )));
+        }
+    };
+    Ok(Inputs { values, row_stride, step_stride })
 }
 
 /// Returns a shape as Python writes it.

@@ -3,22 +3,25 @@
 mod arrays;
 mod core;
 mod describe;
+mod errors;
+mod job;
+mod recorder;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyModule};
 
-use self::core::{Core, Maker};
-use crate::blocks::Blocks;
+pub use self::core::Maker;
+
+use self::core::Core;
 
 /// Fills the Python module with the classes of all chains.
 ///
 /// # Errors
 /// Those of Python.
 #[doc(hidden)]
-pub fn fill(module: &Bound<'_, PyModule>, chains: &[fn() -> Box<dyn Blocks>]) -> PyResult<()> {
+pub fn fill(module: &Bound<'_, PyModule>, makers: Vec<Maker>) -> PyResult<()> {
     let py = module.py();
     let name = module.name()?.to_string();
-    let text = std::ffi::CString::new(include_str!("../python/model.py"))?;
     let globals = PyDict::new(py);
     globals.set_item("__name__", format!("{name}._model"))?;
     globals.set_item("Core", py.get_type::<Core>())?;
@@ -26,14 +29,22 @@ pub fn fill(module: &Bound<'_, PyModule>, chains: &[fn() -> Box<dyn Blocks>]) ->
     for (file, text) in FILES {
         globals.set_item(file, text)?;
     }
-    py.run(&text, Some(&globals), None)?;
+    for text in TEXTS {
+        py.run(&std::ffi::CString::new(text)?, Some(&globals), None)?;
+    }
     let fill = globals.get_item("fill")?;
-    let makers: Vec<Maker> = chains.iter().map(|make| Maker(*make)).collect();
     if let Some(fill) = fill {
         fill.call1((module, makers))?;
     }
     Ok(())
 }
+
+/// The texts of the module in Python, which share their names.
+const TEXTS: [&str; 3] = [
+    include_str!("../python/recording.py"),
+    include_str!("../python/model.py"),
+    include_str!("../python/stubs.py"),
+];
 
 /// The texts of submodules in Python.
 const FILES: [(&str, &str); 2] = [

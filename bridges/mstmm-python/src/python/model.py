@@ -1,32 +1,11 @@
-"""The classes of models. The extension runs this text with `Core`, `module_name` and the texts of its submodules."""
+"""The classes of models. The extension runs this text after `recording.py`, with `Core`, `module_name` and the texts of its
+submodules."""
 
+import math
 import sys
 import types
 
 import numpy as np
-
-
-class Names(tuple):
-    """The names of quantities, in the order of the entries of arrays.
-
-    ``units``, ``starts``, ``limits`` and ``kinds`` have an entry for each name. A start is ``None`` where the
-    description has none, limits are ``None`` or the lowest and the highest value.
-    """
-
-    def __new__(cls, rows):
-        names = super().__new__(cls, (row[0] for row in rows))
-        names.units = tuple(row[1] for row in rows)
-        names.starts = tuple(row[2] for row in rows)
-        names.limits = tuple(row[3] for row in rows)
-        names.kinds = tuple(row[4] for row in rows)
-        return names
-
-    def __reduce__(self):
-        return Names, (list(zip(self, self.units, self.starts, self.limits, self.kinds)),)
-
-    def __repr__(self):
-        width = max((len(name) for name in self), default=0)
-        return "\n".join(f"{name:{width}}  {unit}" for name, unit in zip(self, self.units))
 
 
 # The results at a connection point with their shapes, in the order of the library.
@@ -55,17 +34,7 @@ def _split(raw, first, parts):
     return views, first
 
 
-def _as_array(name, value):
-    """Returns an argument that is no array as an array; arrays are checked by the extension."""
-    if value is None or isinstance(value, np.ndarray):
-        return value
-    try:
-        return np.ascontiguousarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name} must be an array of float64: {error}") from None
-
-
-class Model(Core):  # noqa: F821 (set by the extension)
+class Model(Core):  # noqa: F821 (set by the extension, as the names of `recording.py`)
     """A model of a chain of the library mstmm.
 
     A state is an array of coordinates, then rates, in the order of `coordinates` and `rates`. Arrays of states have a
@@ -123,6 +92,12 @@ class Model(Core):  # noqa: F821 (set by the extension)
         start = self._start()
         return start if rows is None else np.tile(start, (rows, 1))
 
+    def _rows(self, job, arguments, x, inputs, given, threads, errors):
+        """Returns the results of a job of the extension, with the axes of ``x``, then one axis of results."""
+        x = _as_array("x", x)
+        raw = self._run(job, arguments, x, _as_array("inputs", inputs), given, threads, errors)
+        return raw.reshape(x.shape[:-1] + (raw.size // max(1, math.prod(x.shape[:-1])),))
+
     def rollout(self, x, inputs=None, h=1e-3, n=1, *, every=1, method="rk4", threads=0, errors="raise"):
         """Returns the states over ``n`` steps of ``h`` seconds, from ``x`` on.
 
@@ -132,25 +107,34 @@ class Model(Core):  # noqa: F821 (set by the extension)
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
         if x.ndim == 1 and inputs is not None and inputs.ndim == 2:
             inputs = inputs[None]
-        raw = self._rollout(x, inputs, h, n, every, method, threads, errors)
+        raw = self._rows("rollout", (method, h, n, every), x, inputs, None, threads, errors)
         return raw.reshape(x.shape[:-1] + (-1, self.nx))
+
+    def record(self, x, inputs=None, h=1e-3, *, velocities=False):
+        """Returns a `Recording` of the states ``x``, with the shape (frames, nx), at the times 0, ``h``, 2 ``h``, …
+
+        Inputs have the shape (nu,) or (frames, nu), or (frames - 1, nu) if the last ones are held, as those of `rollout`.
+        ``velocities=True`` also records the velocities of connection points.
+        """
+        x, inputs = _as_array("x", x), _as_array("inputs", inputs)
+        if x.ndim == 2 and inputs is not None and inputs.ndim == 2 and len(inputs) == len(x) - 1 > 0:
+            inputs = np.concatenate([inputs, inputs[-1:]])
+        recording = Recording(self, velocities=velocities)
+        recording.record(x, inputs, h * np.arange(len(x)) if x.ndim == 2 else 0.0)
+        return recording
 
     def accelerations(self, x, inputs=None, *, threads=0, errors="raise"):
         """Returns the accelerations of all rates (forward dynamics), in the order of `rates`."""
-        x = _as_array("x", x)
-        raw = self._accelerations(x, _as_array("inputs", inputs), threads, errors)
-        return raw.reshape(x.shape[:-1] + (len(self.rates),))
+        return self._rows("accelerations", (), x, inputs, None, threads, errors)
 
     def energy(self, x, *, threads=0, errors="raise"):
         """Returns kinetic and potential energy in J."""
-        x = _as_array("x", x)
-        raw = self._energies(x, threads, errors).reshape(x.shape[:-1] + (2,))
+        raw = self._rows("energies", (), x, None, None, threads, errors)
         return raw[..., 0], raw[..., 1]
 
     def assemble(self, x, inputs=None, *, threads=0, errors="raise"):
         """Returns the states next to ``x`` that satisfy the loop constraints of a closed chain."""
-        x = _as_array("x", x)
-        return self._assemble(x, _as_array("inputs", inputs), threads, errors).reshape(x.shape)
+        return self._rows("assembly", (), x, inputs, None, threads, errors)
 
     def solve(self, x, inputs=None, *, threads=0, errors="raise"):
         """Returns accelerations, efforts, energies and the results at all connection points.
@@ -162,9 +146,7 @@ class Model(Core):  # noqa: F821 (set by the extension)
         on the inboard element, and ``force`` in N, which acts on the outboard element; all in the inertial frame. What
         the chain's setting ``results`` omits is NaN.
         """
-        x = _as_array("x", x)
-        raw = self._solve(x, _as_array("inputs", inputs), threads, errors)
-        raw = raw.reshape(x.shape[:-1] + (-1,))
+        raw = self._rows("solution", (), x, inputs, None, threads, errors)
         parts = [("accelerations", (len(self.rates),)), ("efforts", (len(self.efforts),))]
         solution, first = _split(raw, 0, parts + [("kinetic_energy", ()), ("potential_energy", ())])
         solution["points"] = {}
@@ -189,11 +171,9 @@ class Model(Core):  # noqa: F821 (set by the extension)
         return jacobian
 
     def _frame(self, frame, rows, x, inputs, threads, errors):
-        x = _as_array("x", x)
         if frame not in self.frames:
             raise ValueError(f"no frame {frame!r}; the frames are {', '.join(self.frames)}")
-        raw = self._motion(self._frame_places[frame], rows, x, _as_array("inputs", inputs), threads, errors)
-        raw = raw.reshape(x.shape[:-1] + (-1,))
+        raw = self._rows("motion", (*self._frame_places[frame], rows), x, inputs, None, threads, errors)
         motion, first = _split(raw, 0, MOTION)
         jacobian = raw[..., first:].reshape(raw.shape[:-1] + (len(self.rates), rows))
         return motion, np.swapaxes(jacobian, -1, -2)
@@ -218,8 +198,8 @@ class Model(Core):  # noqa: F821 (set by the extension)
             given = np.ascontiguousarray(given)
             if given.shape != shape + (given_len,):
                 raise ValueError(f"the given values must have the shape {shape + (given_len,)}, not {given.shape}")
-        raw = self._answer(number, x, _as_array("inputs", inputs), given, threads, errors)
-        raw, first, results = raw.reshape(shape + (-1,)), 0, {}
+        raw = self._rows("answer", (number,), x, inputs, given, threads, errors)
+        first, results = 0, {}
         for part, rows, columns in parts:
             count = rows * (1 if columns is None else columns)
             value = raw[..., first : first + count]
@@ -370,122 +350,10 @@ def _make(module, maker):
     return type(description["name"], (Model,), body)
 
 
-# The methods of answers in the stubs: arguments and type of the result.
-_ARRAY = "Array"
-
-
-def stubs(module):
-    """Returns the text of the module's type stubs."""
-    lines = [
-        '"""Models of the library mstmm. Written from their descriptions."""',
-        "",
-        "from collections.abc import Mapping",
-        "from typing import Any, Literal, TypedDict",
-        "import numpy as np",
-        "from numpy.typing import ArrayLike, NDArray",
-        "",
-        "Array = NDArray[np.float64]",
-        "",
-        "class Names(tuple[str, ...]):",
-        "    units: tuple[str, ...]",
-        "    starts: tuple[float | None, ...]",
-        "    limits: tuple[tuple[float, float] | None, ...]",
-        "    kinds: tuple[str, ...]",
-        "",
-        "class Point(TypedDict):",
-        *(f"    {name}: Array" for name, _ in POINT),
-        "",
-        "class Motion(TypedDict):",
-        *(f"    {name}: Array" for name, _ in MOTION),
-        "",
-        "class Solution(TypedDict):",
-        *(f"    {name}: Array" for name in ("accelerations", "efforts", "kinetic_energy", "potential_energy")),
-        "    points: dict[str, Point]",
-        "",
-    ]
-    models = [value for value in vars(module).values() if isinstance(value, type) and issubclass(value, Model) and value is not Model]
-    parts = {}
-    for model in models:
-        for name, _, is_there, _, of in model._methods:
-            if is_there and of[0][0]:
-                parts[name] = [part for part, _, _ in of]
-    for name, fields in parts.items():
-        lines += [f"class {_result(name)}:", *(f"    {field}: Array" for field in fields), ""]
-    lines += _stub_of(Model, parts, None)
-    for model in models:
-        lines += _stub_of(model, parts, model)
-    return "\n".join(lines) + "\n"
-
-
-def _result(name):
-    return "".join(word.capitalize() for word in name.split("_")) + "Result"
-
-
-_HOW = 'threads: int = 0, errors: Literal["raise", "nan"] = "raise"'
-_METHOD = 'method: Literal["rk4", "semi_implicit_euler", "linearly_implicit_euler"] = "rk4"'
-
-
-def _quoted(text, indent):
-    lines = (text or "").strip().splitlines()
-    body = [(indent + line.strip()).rstrip() for line in lines[1:]]
-    escaped = [line.replace("\\", "\\\\").replace('"""', "'''") for line in lines[:1] + body]
-    return [f'{indent}"""{escaped[0]}' + ('"""' if len(escaped) == 1 else "")] + escaped[1:] + ([f'{indent}"""'] if len(escaped) > 1 else [])
-
-
-def _stub_of(cls, parts, model):
-    indent = "    "
-    if model is None:
-        lines = ["class Model:", *_quoted(Model.__doc__, indent)]
-        for name in ("coordinates", "rates", "efforts", "inputs", "parameters"):
-            lines.append(f"    {name}: Names")
-        lines += ["    name: str", "    dimension: str", "    answers: tuple[str, ...]", "    points: tuple[str, ...]"]
-        lines += ["    frames: tuple[str, ...]", "    hinges: tuple[tuple[str, str, bool], ...]", "    lanes: int"]
-        lines += ["    @property", "    def nx(self) -> int: ..."]
-        lines += ["    def get(self, parameter: str) -> float: ...", "    def set(self, parameter: str, value: float) -> None: ..."]
-        lines += ["    def initial(self, rows: int | None = None) -> Array: ..."]
-        state = "x: ArrayLike, inputs: ArrayLike | None = None"
-        lines += [f"    def step(self, x: Array, inputs: Array | None = None, h: float = 1e-3, n: int = 1, *, {_METHOD}, {_HOW}) -> None: ..."]
-        lines += [f"    def rollout(self, {state}, h: float = 1e-3, n: int = 1, *, every: int = 1, {_METHOD}, {_HOW}) -> Array: ..."]
-        lines += [f"    def accelerations(self, {state}, *, {_HOW}) -> Array: ..."]
-        lines += [f"    def energy(self, x: ArrayLike, *, {_HOW}) -> tuple[Array, Array]: ..."]
-        lines += [f"    def assemble(self, {state}, *, {_HOW}) -> Array: ..."]
-        lines += [f"    def solve(self, {state}, *, {_HOW}) -> Solution: ...", ""]
-        return lines
-    lines = [f"class {model.name}(Model):", *_quoted(model.__doc__, indent)]
-    plain = [name for name in model.parameters if isinstance(getattr(model, name, None), property)]
-    arguments = "".join(f", {name}: float = ..." for name in plain)
-    arguments = f", *{arguments}" if arguments else ""
-    lines.append(f"    def __init__(self{arguments}) -> None: ...")
-    for name in plain:
-        lines += ["    @property", f"    def {name}(self) -> float:", *_quoted(getattr(model, name).__doc__, indent * 2)]
-        lines += [f"    @{name}.setter", f"    def {name}(self, value: float) -> None: ..."]
-    after = f"inputs: ArrayLike | None = None, *, {_HOW}"
-    for name, _, is_there, given, _ in model._methods:
-        if not is_there:
-            continue
-        returns = _result(name) if name in parts else "Array"
-        if name == "dynamic_parameters":
-            arguments = ""
-        elif name == "push":
-            changes = ", ".join(f"d_{part}: ArrayLike | None = None" for part in ("coordinates", "rates", "inputs", "parameters"))
-            arguments = f", x: ArrayLike, inputs: ArrayLike | None = None, *, {changes}, {_HOW}"
-        elif given:
-            argument = {"pull": "weights"}.get(name, "vector" if name.endswith("times") else "accelerations")
-            arguments = f", x: ArrayLike, {argument}: ArrayLike, {after}"
-        else:
-            arguments = f", x: ArrayLike, {after}"
-        lines += [f"    def {name}(self{arguments}) -> {returns}:", *_quoted(getattr(Model, name).__doc__, indent * 2)]
-    if {"kinematics", "jacobian"} & set(model.answers):
-        lines.append(f"    def kinematics(self, frame: str, x: ArrayLike, {after}) -> Motion: ...")
-    if "jacobian" in model.answers:
-        lines.append(f"    def jacobian(self, frame: str, x: ArrayLike, {after}) -> Array: ...")
-    return lines + [""]
-
-
 def fill(module, makers):
     """Adds a class for each maker, and the submodules."""
-    module.Model, module.Names = Model, Names
-    Model.__module__ = Names.__module__ = module.__name__
+    module.Model, module.Names, module.Recording = Model, Names, Recording
+    Model.__module__ = Names.__module__ = Recording.__module__ = module.__name__
     _restore.__module__ = module.__name__
     module._restore = _restore
     for maker in makers:
