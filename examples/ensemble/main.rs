@@ -1,23 +1,20 @@
-//! Simulates many robot arms with random payloads under the same controller, in SIMD lanes on all cores,
-//! compares the speed with that of single arms, and reports the final position errors.
+//! The study of payloads of `bridges/studies` on one machine: many robot arms with random payloads under the same
+//! controller, in SIMD lanes on all cores. Compares the speed with that of single arms, and reports the final position
+//! errors and the hash of all results, which is that of the study on many machines.
 //!
 //! `cargo run --release --example ensemble -- --help` lists the options.
 
-mod arm;
-mod chain;
-mod lanes;
 mod output;
 mod run;
-mod statistics;
 
 use std::error::Error;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use arm::{Arm, End};
-use run::{DOUBLE, ONE_BY_ONE, Progress, Run, SINGLE, Settings};
-use statistics::Spread;
+use mstmm_payloads::{RESULTS, Sample, digest, summary};
+use output::Spread;
+use run::{DOUBLE, ONE_BY_ONE, Progress, Run, SINGLE};
 
 /// The number of arms that are also simulated one by one, and in shorter steps, for comparison.
 const SAMPLE: usize = 64;
@@ -40,13 +37,9 @@ struct Arguments {
     #[arg(long, default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(1..))]
     arms: u32,
 
-    /// Simulated time in s
-    #[arg(long, value_name = "SECONDS", default_value_t = 1.0)]
-    time: f64,
-
-    /// Step of the classical Runge-Kutta method in s
-    #[arg(long, value_name = "SECONDS", default_value_t = 4e-3)]
-    step: f64,
+    /// Arms in a chunk, which a core simulates at a time; it has no effect on results
+    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]
+    chunk: u32,
 
     /// Seed of the random payloads and starts
     #[arg(long, default_value_t = 1)]
@@ -65,7 +58,7 @@ struct Arguments {
 #[derive(serde::Serialize)]
 struct Outcome {
     arms: usize,
-    settings: Settings,
+    chunk: usize,
     seed: u64,
     cores: usize,
     runs: Vec<Run>,
@@ -78,6 +71,8 @@ struct Outcome {
     single_error: Option<f64>,
     /// The number of arms that were compared with the same arm simulated alone.
     compared: usize,
+    /// The hash of all samples and results in double precision.
+    sha256: String,
 }
 
 fn main() -> ExitCode {
@@ -92,8 +87,9 @@ fn main() -> ExitCode {
 }
 
 fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
-    let settings = Settings::new(arguments.time, arguments.step)?;
-    let arms = Arm::random(arguments.seed, arguments.arms as usize);
+    let chunk = arguments.chunk as usize;
+    let arms: Vec<Sample> =
+        (0..u64::from(arguments.arms)).map(|number| Sample::draw(arguments.seed, number)).collect();
     // A fraction is enough to measure the speed.
     let part = |of: usize| &arms[..arms.len().div_ceil(of)];
     let cores = std::thread::available_parallelism()?.get();
@@ -103,16 +99,16 @@ fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
     let progress = Progress::new(each + part(TRIED).len() + part(ALONE).len());
     let mut runs = Vec::new();
     for &way in ONE_BY_ONE {
-        runs.push(way.run(part(TRIED), &settings, 1, &progress)?.0);
-        runs.push(way.run(part(ALONE), &settings, cores, &progress)?.0);
+        runs.push(way.run(part(TRIED), chunk, 1, &progress)?.0);
+        runs.push(way.run(part(ALONE), chunk, cores, &progress)?.0);
     }
     let mut ends = Vec::new();
     for precision in precisions {
         for way in precision.ways {
-            runs.push(way.run(part(TRIED), &settings, 1, &progress)?.0);
+            runs.push(way.run(part(TRIED), chunk, 1, &progress)?.0);
         }
         let native = precision.native().ok_or("no lanes fit a register")?;
-        let (run, of_all) = native.run(&arms, &settings, cores, &progress)?;
+        let (run, of_all) = native.run(&arms, chunk, cores, &progress)?;
         runs.push(run);
         ends.push(of_all);
     }
@@ -120,27 +116,31 @@ fn compute(arguments: &Arguments) -> Result<Outcome, Box<dyn Error>> {
 
     let (double, single) = (&ends[0], ends.get(1));
     let sample = &arms[..arms.len().min(SAMPLE)];
-    let [alone, finer] = [settings, settings.finer()].map(|to| ONE_BY_ONE[0].ends(sample, &to));
+    let [alone, finer] = [1, 2].map(|finer| ONE_BY_ONE[0].ends(sample, finer));
     let (alone, finer) = (alone?, finer?);
     if let Some(index) = (0..sample.len()).find(|&index| double[index] != alone[index]) {
         let (found, alone) = (double[index], alone[index]);
         return Err(format!("arm {index} ends at {found:?} in lanes, at {alone:?} alone").into());
     }
+    let rows: Vec<_> = arms.iter().copied().zip(double.iter().copied()).collect();
+    let spread = |index: usize| summary(double.iter().map(|end| end[index])).ok_or("no arms");
     Ok(Outcome {
         arms: arms.len(),
-        settings,
+        chunk,
         seed: arguments.seed,
         cores,
         runs,
-        distance: Spread::of(double.iter().map(End::distance))?,
-        height: Spread::of(double.iter().map(|end| end.offset[2]))?,
+        distance: Spread::of(spread(0)?),
+        height: Spread::of(spread(1)?),
         step_error: largest(&alone, &finer),
         single_error: single.map(|single| largest(double, single)),
         compared: sample.len(),
+        sha256: digest(&rows),
     })
 }
 
-/// Returns the largest distance between the final positions of the same flange, in m.
-fn largest(ends: &[End], others: &[End]) -> f64 {
-    ends.iter().zip(others).map(|(end, other)| end.apart(other)).fold(0.0, f64::max)
+/// Returns the largest difference of the results of the same arm, in m.
+fn largest(ends: &[[f64; RESULTS.len()]], others: &[[f64; RESULTS.len()]]) -> f64 {
+    let pairs = ends.iter().flatten().zip(others.iter().flatten());
+    pairs.map(|(end, other)| (end - other).abs()).fold(0.0, f64::max)
 }

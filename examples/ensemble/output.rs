@@ -2,22 +2,50 @@
 
 use std::error::Error;
 
+use mstmm_payloads::{STEP, STEPS, Summary};
+use serde::Serialize;
+
 use crate::Outcome;
 use crate::run::{Run, count};
-use crate::statistics::Spread;
+
+/// The mean and the range of 95 % of the values.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Spread {
+    mean: f64,
+    /// Half the width of the 95 % confidence interval of the mean.
+    mean_error: f64,
+    /// The 2.5 % and 97.5 % quantiles.
+    low: f64,
+    high: f64,
+    largest: f64,
+}
+
+impl Spread {
+    pub fn of(summary: Summary) -> Self {
+        let Summary { mean, mean_error, quantiles: [low, _, high], largest } = summary;
+        Self { mean, mean_error, low, high, largest }
+    }
+
+    fn in_millimetres(self) -> Self {
+        let Self { mean, mean_error, low, high, largest } = self;
+        let [mean, mean_error, low, high, largest] =
+            [mean, mean_error, low, high, largest].map(|value| 1e3 * value);
+        Self { mean, mean_error, low, high, largest }
+    }
+}
 
 pub fn print(outcome: &Outcome, json: bool) -> Result<(), Box<dyn Error>> {
     if json {
         println!("{}", serde_json::to_string_pretty(outcome)?);
         return Ok(());
     }
-    let Outcome { settings, seed, .. } = outcome;
+    let Outcome { seed, .. } = outcome;
     println!(
         "{} Pandas with random payloads of 0.1 to 3 kg, whose controller assumes 1.5 kg;\n\
          each {:.3} s in {} steps of the classical Runge-Kutta method; seed {seed}\n",
         outcome.arms,
-        settings.time(),
-        settings.steps,
+        STEP * f64::from(STEPS),
+        STEPS,
     );
     print_paces(&outcome.runs);
     println!();
@@ -39,7 +67,7 @@ fn print_paces(runs: &[Run]) {
             "{way:36}{arms:9}{seconds:7.1} s  {millions:.3} million, {times:.2} times the first"
         );
     }
-    println!("A step evaluates all accelerations and the controller four times.");
+    println!("A step evaluates all accelerations four times.");
 }
 
 fn print_spreads(outcome: &Outcome) {
@@ -59,6 +87,7 @@ fn print_spreads(outcome: &Outcome) {
         1e3 * outcome.step_error,
         count(outcome.compared, "arm"),
     );
+    println!("sha256 {}", outcome.sha256);
     if let Some(error) = outcome.single_error {
         println!("Single precision changes it by {:.1e} mm at most.", 1e3 * error);
     }

@@ -1,56 +1,25 @@
 //! Simulation of arms, with timing.
 
-use std::error::Error;
 use std::io::{IsTerminal, stderr};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use mstmm::lanes::{NativeF32, NativeF64};
 use mstmm::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
-use mstmm::{Rk4, Scalar};
+use mstmm::{Error, Scalar};
+use mstmm_payloads::{RESULTS, STEPS, Sample, simulate};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::arm::{Arm, End};
-use crate::chain::Controller;
-use crate::lanes::Lanes;
-
-/// The number of arms that a core simulates at a time.
-const ARMS: usize = 64;
-
-/// The simulated time of each arm.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Settings {
-    /// The step in s.
-    pub step: f64,
-    pub steps: u32,
-}
-
-impl Settings {
-    pub fn new(time: f64, step: f64) -> Result<Self, Box<dyn Error>> {
-        let steps = (time / step).round();
-        if !(step > 0.0 && (1.0..=f64::from(u32::MAX / 2)).contains(&steps)) {
-            return Err("the time must be a number of steps, at least one".into());
-        }
-        Ok(Self { step, steps: steps as u32 })
-    }
-
-    /// Returns the same time in steps of half the length.
-    pub fn finer(&self) -> Self {
-        Self { step: 0.5 * self.step, steps: 2 * self.steps }
-    }
-
-    pub fn time(&self) -> f64 {
-        self.step * f64::from(self.steps)
-    }
-}
+/// The results of an arm.
+type End = [f64; RESULTS.len()];
 
 /// A scalar type to simulate with.
 #[derive(Clone, Copy)]
 pub struct Way {
     name: &'static str,
     lanes: usize,
-    simulate: fn(&[Arm], &Settings) -> Result<Vec<End>, mstmm::Error>,
+    simulate: fn(&[Sample], u32) -> Result<Vec<End>, Error>,
 }
 
 macro_rules! ways {
@@ -87,21 +56,6 @@ impl Precision {
     }
 }
 
-/// Simulates arms one after the other, one per lane at a time.
-fn simulate<T: Lanes>(arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
-    let controller = Controller::new();
-    let mut ends = Vec::with_capacity(arms.len());
-    for arms in arms.chunks(T::LANES) {
-        let (chain, mut state) = Arm::chain::<T>(arms)?;
-        let mut rk4 = Rk4::new(T::constant(settings.step));
-        for _ in 0..settings.steps {
-            rk4.step(&chain, &mut state, |_, state| controller.torques(state))?;
-        }
-        ends.extend(End::of_lanes(&chain, &state)?.take(arms.len()));
-    }
-    Ok(ends)
-}
-
 /// The duration of the simulations with one scalar type.
 #[derive(Serialize)]
 pub struct Run {
@@ -115,35 +69,35 @@ pub struct Run {
 }
 
 impl Way {
-    /// Simulates arms on a number of cores and measures the time.
+    /// Simulates chunks of arms on a number of cores and measures the time.
     pub fn run(
         self,
-        arms: &[Arm],
-        settings: &Settings,
+        arms: &[Sample],
+        chunk: usize,
         cores: usize,
         progress: &Progress,
-    ) -> Result<(Run, Vec<End>), Box<dyn Error>> {
+    ) -> Result<(Run, Vec<End>), Box<dyn std::error::Error>> {
         let Self { name: number, lanes, simulate } = self;
         progress.begin(&format!("{number}, {}", count(cores, "core")));
         let pool = rayon::ThreadPoolBuilder::new().num_threads(cores).build()?;
         let start = Instant::now();
-        let parts: Result<Vec<Vec<End>>, mstmm::Error> = pool.install(|| {
-            let part = |arms: &[Arm]| {
-                let ends = simulate(arms, settings)?;
+        let parts: Result<Vec<Vec<End>>, Error> = pool.install(|| {
+            let part = |arms: &[Sample]| {
+                let ends = simulate(arms, 1)?;
                 progress.advance(arms.len());
                 Ok(ends)
             };
-            arms.par_chunks(ARMS).map(part).collect()
+            arms.par_chunks(chunk).map(part).collect()
         });
         let seconds = start.elapsed().as_secs_f64();
         let (ends, arms) = (parts?.concat(), arms.len());
-        let steps_per_second = arms as f64 * f64::from(settings.steps) / seconds;
+        let steps_per_second = arms as f64 * f64::from(STEPS) / seconds;
         Ok((Run { number, lanes, cores, arms, seconds, steps_per_second }, ends))
     }
 
-    /// Returns the final positions of arms, without timing.
-    pub fn ends(self, arms: &[Arm], settings: &Settings) -> Result<Vec<End>, mstmm::Error> {
-        (self.simulate)(arms, settings)
+    /// Returns the results of arms with `finer` times the steps, without timing.
+    pub fn ends(self, arms: &[Sample], finer: u32) -> Result<Vec<End>, Error> {
+        (self.simulate)(arms, finer)
     }
 }
 
