@@ -67,8 +67,12 @@ def plot(values, names, path):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(1, len(names), figsize=(5 * len(names), 3.5), squeeze=False)
-    for axis, row in zip(axes[0], summary(values, names)):
+    columns = min(3, len(names))
+    rows = -(-len(names) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(5 * columns, 3.5 * rows), squeeze=False)
+    for axis in axes.flat[len(names) :]:
+        axis.remove()
+    for axis, row in zip(axes.flat, summary(values, names)):
         known = values[row["name"]]
         axis.hist(known[np.isfinite(known)], bins=50, color="#9ab8d8")
         if row["count"]:

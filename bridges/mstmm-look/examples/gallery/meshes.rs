@@ -23,14 +23,14 @@ pub fn train() -> Result<Motion, Error> {
 
 /// The corners of a block around the middle of a car, in m.
 const CORNERS: [[f32; 3]; 8] = [
-    [-6.0, -1.5, -1.5],
-    [6.0, -1.5, -1.5],
-    [6.0, 1.5, -1.5],
-    [-6.0, 1.5, -1.5],
-    [-6.0, -1.5, 1.5],
-    [6.0, -1.5, 1.5],
-    [6.0, 1.5, 1.5],
-    [-6.0, 1.5, 1.5],
+    [-6.0, -4.0, -4.0],
+    [6.0, -4.0, -4.0],
+    [6.0, 4.0, -4.0],
+    [-6.0, 4.0, -4.0],
+    [-6.0, -4.0, 4.0],
+    [6.0, -4.0, 4.0],
+    [6.0, 4.0, 4.0],
+    [-6.0, 4.0, 4.0],
 ];
 /// The corners of its faces, counter-clockwise from outside.
 const FACES: [[usize; 4]; 6] =

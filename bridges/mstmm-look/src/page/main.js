@@ -48,7 +48,7 @@ class Page {
       if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
       if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
     }
-    this.ratio = ratio;
+    [this.ratio, this.width, this.height] = [ratio, width, height];
     this.camera.update(width, height);
   }
 
@@ -175,6 +175,7 @@ class Page {
     if (settings.follow) this.follow();
     this.colours ??= { force: tint("--force"), moment: tint("--moment"), weight: tint("--weight"), css: new Map() };
     const css = name => this.css(name);
+    camera.update(this.width, this.height);
     overlay.begin(camera, this.ratio, [css("--sky"), css("--ground")]);
     overlay.halo = css("--halo");
     if (settings.grid) overlay.grid(css("--grid"));
