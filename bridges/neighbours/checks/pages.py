@@ -5,11 +5,14 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 FOLDER = pathlib.Path(__file__).parents[1]
 # The wheels and programs that a page installs first are those of `bridges/check`, unless all is asked for.
 ALL = os.environ.get("MSTMM_ALL") == "1"
 INSTALLS = ("cd ", "python3 -m venv", "pip install maturin", "cargo install")
+# The wheel that each page builds.
+WHEELS = {"ur5": "ur5", "swing_up": "cart_pole", "calibration": "arm", "gantry": "gantry"}
 
 
 def commands(example):
@@ -31,8 +34,15 @@ def run(example, folder, small=()):
     for whole, part in () if ALL else small:
         assert whole in text, f"the page of {example} has no `{whole}`"
         text = text.replace(whole, part)
-    done = subprocess.run(["bash", "-euo", "pipefail", "-c", text], cwd=copy, capture_output=True, text=True)
+    # A wheel of an earlier run has the same version.
+    pip = [sys.executable, "-m", "pip"]
+    subprocess.run([*pip, "uninstall", "--quiet", "--yes", WHEELS[example]], check=True, capture_output=True)
+    own = {"CARGO_INSTALL_ROOT": str(folder / "cargo"), "PATH": f"{folder / 'cargo/bin'}:{os.environ['PATH']}"} if ALL else {}
+    done = subprocess.run(["bash", "-euo", "pipefail", "-c", text], cwd=copy, capture_output=True, text=True, env=os.environ | own)
     assert done.returncode == 0, f"{text}\n{done.stdout}\n{done.stderr}"
+    if ALL:
+        # The page has a separate environment; the checks import the wheel, too.
+        subprocess.run([*pip, "install", "--quiet", "--no-deps", *map(str, (copy / "wheels").glob("*.whl"))], check=True)
     return copy, done.stdout
 
 
