@@ -78,7 +78,7 @@ impl Svg {
             }
         }
         corners.iter().for_each(|place| self.include(*place, 4.0));
-        self.add(format_args!("<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.75\"/>"));
+        self.add(format_args!("<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.45\"/>"));
     }
 
     /// A joint.
