@@ -1,7 +1,8 @@
 //! `answers = bias_efforts`: generated methods against identities, in both precisions and in lanes.
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
-use mstmm::{Error, HingeMotion, PinState, mstmm_chain};
+use mstmm::{Described, Error, HingeMotion, PinState, mstmm_chain};
 use mstmm_reference::Random;
 
 mstmm_chain! {
@@ -132,10 +133,16 @@ fn values_that_are_not_finite_leave_the_efforts_unchanged() {
     for number in [f64::NAN, f64::INFINITY] {
         let mut wrong = state.clone();
         wrong.rates_mut()[2] = number;
-        assert_eq!(arm.bias_efforts_into(&wrong, &inputs, &mut efforts), Err(Error::NotFinite));
+        assert_eq!(
+            arm.bias_efforts_into(&wrong, &inputs, &mut efforts),
+            Err(Error::NotFinite(Origin::Rate(2)))
+        );
         let mut pushed = inputs;
         pushed.push_force[1] = number;
-        assert_eq!(arm.bias_efforts_into(&state, &pushed, &mut efforts), Err(Error::NotFinite));
+        let found = arm.bias_efforts_into(&state, &pushed, &mut efforts);
+        let Err(Error::NotFinite(origin)) = found else { panic!("{found:?}") };
+        let name = Arm::<f64>::DESCRIPTION.name_of(origin).expect("a name");
+        assert_eq!(name.to_string(), "push.force.y");
         assert_eq!(efforts, nalgebra::SVector::from([7.0; 6]));
     }
     let mut zero = state.clone();

@@ -3,6 +3,7 @@
 
 mod support;
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain};
 use mstmm_reference::Random;
@@ -67,12 +68,18 @@ fn refuses_every_nan<C: GeneratedChain<Scalar = f64>>(chain: &C) {
     let (q, v) = (state.coordinates().len(), state.rates().len());
     for place in 0..q + v {
         let mut broken = state.clone();
-        match place.checked_sub(q) {
-            None => broken.coordinates_mut()[place] = f64::NAN,
-            Some(place) => broken.rates_mut()[place] = f64::NAN,
-        }
+        let origin = match place.checked_sub(q) {
+            None => {
+                broken.coordinates_mut()[place] = f64::NAN;
+                Origin::Coordinate(place)
+            }
+            Some(place) => {
+                broken.rates_mut()[place] = f64::NAN;
+                Origin::Rate(place)
+            }
+        };
         let found = chain.solve_into(&broken, &chain.no_inputs(), &mut chain.workspace());
-        assert_eq!(found, Err(Error::NotFinite), "number {place}");
+        assert_eq!(found, Err(Error::NotFinite(origin)), "number {place}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! `answers = [kinematics, jacobian]`: generated types against the workspace, in both precisions and in lanes.
 
+use mstmm::description::Origin;
 use mstmm::nalgebra::{Rotation3, SMatrix, SVector, Vector2, Vector3};
 use mstmm::prelude::*;
 use mstmm::{Error, HingeMotion, PinState, Scalar, SliderState, mstmm_chain};
@@ -364,11 +365,17 @@ fn values_that_are_not_finite_leave_the_kinematics_empty() {
             let mut kin = arm.kinematics(&state, &inputs).expect("finite numbers");
             let mut wrong = state.clone();
             wrong.rates_mut()[entry] = number;
-            assert_eq!(arm.kinematics_into(&wrong, &inputs, &mut kin), Err(Error::NotFinite));
+            assert_eq!(
+                arm.kinematics_into(&wrong, &inputs, &mut kin),
+                Err(Error::NotFinite(Origin::Rate(entry)))
+            );
             assert_eq!(kin, ArmKinematics::default());
             let mut wrong = state.clone();
             wrong.coordinates_mut()[entry] = number;
-            assert_eq!(arm.kinematics(&wrong, &inputs).err(), Some(Error::NotFinite));
+            assert_eq!(
+                arm.kinematics(&wrong, &inputs).err(),
+                Some(Error::NotFinite(Origin::Coordinate(entry)))
+            );
         }
     }
 }

@@ -3,6 +3,7 @@
 #[path = "matrices_by_columns/bits.rs"]
 mod bits;
 
+use mstmm::description::Origin;
 use mstmm::nalgebra::{SMatrix, SVector};
 use mstmm::{Error, Scalar, mstmm_chain};
 
@@ -133,5 +134,5 @@ fn matrices_of_states_that_are_not_finite_are_errors() {
     state.v[RATES - 1] = f64::NAN;
     let mut found = RopeLinearization::default();
     let result = rope.linearize_into(&state, &rope.no_inputs(), &mut found);
-    assert!(matches!(result, Err(Error::NotFinite)), "{result:?}");
+    assert_eq!(result.err(), Some(Error::NotFinite(Origin::Rate(RATES - 1))));
 }

@@ -14,6 +14,7 @@ mod random {
 }
 mod support;
 
+use mstmm::description::Origin;
 use mstmm::{ChainState, Error};
 use mstmm_reference::{
     Chain, Dimension, Drives, End, Ends, Gravity, HingeChoice, HingeKind, HingeMotion, Random,
@@ -160,20 +161,29 @@ where
         let entries = motion.q.len() + motion.v.len();
         for place in 0..=entries {
             let mut state = good.0.clone();
-            match place.checked_sub(motion.q.len()) {
-                None => state.coordinates_mut()[place] = bad,
-                Some(place) if place < motion.v.len() => state.rates_mut()[place] = bad,
-                Some(_) => state.set_time(bad),
-            }
+            let origin = match place.checked_sub(motion.q.len()) {
+                None => {
+                    state.coordinates_mut()[place] = bad;
+                    Origin::Coordinate(place)
+                }
+                Some(place) if place < motion.v.len() => {
+                    state.rates_mut()[place] = bad;
+                    Origin::Rate(place)
+                }
+                Some(_) => {
+                    state.set_time(bad);
+                    Origin::Time
+                }
+            };
             let found = answer(&state, &good.1);
-            assert_eq!(found, Err(Error::NotFinite), "{name}: {bad} at {place} of a state");
+            assert_eq!(found, Err(Error::NotFinite(origin)), "{name}: {bad} at {place} of a state");
         }
         // Not all that drives the reference is an input of the chain.
         let unchanged = answer(&good.0, &good.1);
         for (place, drives) in with_each_number_replaced(&drives, bad).iter().enumerate() {
             let found = answer(&good.0, &generated.inputs(drives));
             assert!(
-                found == Err(Error::NotFinite) || found == unchanged,
+                matches!(found, Err(Error::NotFinite(Origin::Input(_)))) || found == unchanged,
                 "{name}: {bad} at {place} of the inputs: {found:?}"
             );
         }

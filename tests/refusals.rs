@@ -4,6 +4,7 @@
 mod support;
 
 use mstmm::Error;
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm_reference::Random;
 use support::difference;
@@ -238,38 +239,38 @@ macro_rules! refuses_values_that_are_not_finite {
         let chain = $name::<f64>::new();
         let state = chain.random_state(&mut Random::new(3));
         let good = state.clone();
-        let solve = |state: &_, inputs: &_, what: String| {
+        let solve = |state: &_, inputs: &_, origin: Origin, what: String| {
             let mut at = chain.workspace();
             let new = at.clone();
             chain.solve_into(&good, &chain.no_inputs(), &mut at).expect("an answer");
             assert_ne!(at, new);
             let found = chain.solve_into(state, inputs, &mut at);
-            assert_eq!(found, Err(Error::NotFinite), "{}, {what}", stringify!($name));
+            assert_eq!(found, Err(Error::NotFinite(origin)), "{}, {what}", stringify!($name));
             assert_eq!(at, new, "{}, {what}", stringify!($name));
             let fast = chain.accelerations(state, inputs).map(|_| ());
-            assert_eq!(fast, Err(Error::NotFinite), "{}, {what}", stringify!($name));
+            assert_eq!(fast, Err(Error::NotFinite(origin)), "{}, {what}", stringify!($name));
         };
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for place in 0..state.coordinates().len() {
                 let mut broken = state.clone();
                 broken.coordinates_mut()[place] = bad;
-                solve(&broken, &chain.no_inputs(), format!("{bad} in q[{place}]"));
+                solve(&broken, &chain.no_inputs(), Origin::Coordinate(place), format!("{bad} in q[{place}]"));
             }
             for place in 0..state.rates().len() {
                 let mut broken = state.clone();
                 broken.rates_mut()[place] = bad;
-                solve(&broken, &chain.no_inputs(), format!("{bad} in v[{place}]"));
+                solve(&broken, &chain.no_inputs(), Origin::Rate(place), format!("{bad} in v[{place}]"));
             }
             let mut broken = state.clone();
             broken.set_time(bad);
-            solve(&broken, &chain.no_inputs(), format!("the time is {bad}"));
+            solve(&broken, &chain.no_inputs(), Origin::Time, format!("the time is {bad}"));
             let mut inputs = chain.no_inputs();
             inputs.base = bad;
-            solve(&state, &inputs, format!("{bad} at the base"));
+            solve(&state, &inputs, Origin::Input(0), format!("{bad} at the base"));
             for place in 0..3 {
                 let mut inputs = chain.no_inputs();
                 inputs.wrist[place] = bad;
-                solve(&state, &inputs, format!("{bad} at the wrist, {place}"));
+                solve(&state, &inputs, Origin::Input(1 + place), format!("{bad} at the wrist, {place}"));
             }
         }
         let (mut stepped, mut rk4) = (state.clone(), Rk4::new(1e-3));
@@ -278,7 +279,7 @@ macro_rules! refuses_values_that_are_not_finite {
             inputs.base = if time > 0.0 { f64::NAN } else { 0.0 };
             inputs
         };
-        assert_eq!(rk4.step(&chain, &mut stepped, late), Err(Error::NotFinite));
+        assert_eq!(rk4.step(&chain, &mut stepped, late), Err(Error::NotFinite(Origin::Input(0))));
         assert_eq!(stepped, state);
     )* };
 }
@@ -308,7 +309,11 @@ fn a_refused_rope_leaves_no_changes() {
         let mut inputs = chain.no_inputs();
         inputs.joint[place][1] = f64::NAN;
         let found = chain.solve_into(&chain.initial_state(), &inputs, &mut at);
-        assert_eq!((found, &at), (Err(Error::NotFinite), &new), "{place}");
+        assert_eq!(
+            (found, &at),
+            (Err(Error::NotFinite(Origin::Input(3 * place + 1))), &new),
+            "{place}"
+        );
     }
 }
 
@@ -323,19 +328,24 @@ fn overflow_is_not_reported_as_singular() {
     let chain = Driven::<f64>::new();
     let mut state = chain.initial_state();
     state.rates_mut().iter_mut().for_each(|rate| *rate = 1e300);
-    assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(Error::NotFinite));
+    let overflow = Error::NotFinite(Origin::Result);
+    assert_eq!(chain.accelerations(&state, &chain.no_inputs()), Err(overflow));
     // A pivot that does not vanish beside a scale that overflows, and results whose sum does.
     let (pivots, scales) = ([1.0], [f64::INFINITY]);
     assert!(!mstmm::generated::pivots_ok(pivots, scales, [0.0]));
-    assert_eq!(mstmm::generated::pivot_error(&["hinge"], pivots, scales), Error::NotFinite);
+    let error = |pivots, scales| {
+        let (state, inputs) = (chain.initial_state(), chain.no_inputs());
+        mstmm::generated::pivot_error::<Driven<f64>, _>(&["hinge"], pivots, scales, &state, &inputs)
+    };
+    assert_eq!(error(pivots, scales), overflow);
     assert!(!mstmm::generated::pivots_ok([1.0], [1.0], [f64::MAX, f64::MAX]));
-    assert_eq!(mstmm::generated::pivot_error(&["hinge"], [1.0], [1.0]), Error::NotFinite);
+    assert_eq!(error([1.0], [1.0]), overflow);
     assert!(mstmm::generated::pivots_ok([1.0], [1.0], [f64::MAX, 0.0]));
     // One that does.
     let (pivots, scales) = ([f64::EPSILON], [1.0]);
     assert!(!mstmm::generated::pivots_ok(pivots, scales, [0.0]));
     let singular = Error::Singular { hinge: "hinge" };
-    assert_eq!(mstmm::generated::pivot_error(&["hinge"], pivots, scales), singular);
+    assert_eq!(error(pivots, scales), singular);
 }
 
 /// Whichever of the numbers it is that is not finite, and however many there are.

@@ -2,6 +2,7 @@
 
 mod support;
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain, HingeMotion};
 use mstmm_reference::Random;
@@ -58,7 +59,10 @@ where
     println!("off by {largest:.1e} at most");
     let mut state: B::State = copied(&random_state::<A>(&mut Random::new(0)));
     state.rates_mut()[0] = f64::NAN;
-    assert_eq!(b.solve_into(&state, &b.no_inputs(), &mut fewer_at), Err(Error::NotFinite));
+    assert_eq!(
+        b.solve_into(&state, &b.no_inputs(), &mut fewer_at),
+        Err(Error::NotFinite(Origin::Rate(0)))
+    );
     assert_eq!(format!("{fewer_at:?}"), format!("{:?}", b.workspace()), "something stays");
 }
 

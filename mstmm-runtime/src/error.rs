@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::origin::Origin;
+
 /// An error at run time.
 ///
 /// Functions that fail return one of these instead of panicking. Unless documented otherwise they leave states
@@ -18,11 +20,14 @@ pub enum Error {
         /// The name of the hinge in the description.
         hinge: &'static str,
     },
-    /// A coordinate, a rate, an input or the time is NaN or infinite, or so large that the accelerations or their sum
-    /// overflow.
+    /// A value is NaN or infinite, or so large that results or their sum overflow.
     ///
-    /// [`Described::not_finite`](crate::Described::not_finite) finds the value and its name.
-    NotFinite,
+    /// [`Description::name_of`](crate::description::Description::name_of) gives the name of a coordinate, a rate or an
+    /// input, such as `elbow.angle`.
+    NotFinite(
+        /// The value: a coordinate, a rate, an input, the time, or an entry of an argument, by its index.
+        Origin,
+    ),
     /// The length of a quaternion of a state or of a prescribed motion is not between 0.9 and 1.1.
     ///
     /// Zero, very small and very large quaternions are among these.
@@ -71,9 +76,7 @@ impl fmt::Display for Error {
                 f,
                 "the quaternion of `{hinge}` is not a rotation: its length must be between 0.9 and 1.1"
             ),
-            Error::NotFinite => {
-                f.write_str("a coordinate, rate, input or time is not finite, or too large")
-            }
+            Error::NotFinite(origin) => origin.fmt(f),
             Error::InvalidParameter { name, reason } => write!(f, "`{name}` {reason}"),
             Error::StepTooSmall => f.write_str(
                 "the tolerance cannot be met, even with the smallest step: use a larger tolerance or `f64`",

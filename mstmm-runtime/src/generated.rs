@@ -34,7 +34,8 @@ pub use serde_core as serde;
 
 use core::convert::identity;
 
-use crate::{Error, Mask, Scalar};
+use crate::origin::{self, Origin};
+use crate::{Described, Error, Mask, Scalar};
 
 /// The parameters of a chain and the values derived from them, read only.
 ///
@@ -108,34 +109,62 @@ pub fn pivots_ok<T: Scalar, const P: usize, const N: usize>(
 ///
 /// It is a separate function so that the compiler sees that only an error follows.
 #[inline(always)]
-pub fn pivot_error<T: Scalar, const P: usize>(
+pub fn pivot_error<C: Described, const P: usize>(
     hinges: &[&'static str; P],
-    pivots: [T; P],
-    scales: [T; P],
+    pivots: [C::Scalar; P],
+    scales: [C::Scalar; P],
+    state: &C::State,
+    inputs: &C::Inputs,
 ) -> Error {
     // Copies: without them the arrays would be in memory even if there is no error.
-    find_error(hinges, &pivots.map(identity), &scales.map(identity))
+    match singular_hinge(hinges, &pivots.map(identity), &scales.map(identity)) {
+        Some(hinge) => Error::Singular { hinge },
+        None => not_finite::<C>(state, inputs),
+    }
 }
 
-/// Fails if a value, or the sum of all values, is NaN or infinite.
+/// Fails if one of these values, or their sum, is NaN or infinite: values of the state, of the inputs or of results.
 ///
 /// The result of a chain need not depend on all of its inputs, so they are checked before it is computed.
 ///
 /// # Errors
 /// [`Error::NotFinite`].
 #[inline]
-pub fn check_finite<T: Scalar>(slices: &[&[T]]) -> Result<(), Error> {
-    if T::sum(slices).is_finite().all() { Ok(()) } else { Err(Error::NotFinite) }
+pub fn check_finite<C: Described, T: Scalar>(
+    slices: &[&[T]],
+    state: &C::State,
+    inputs: &C::Inputs,
+) -> Result<(), Error> {
+    if T::sum(slices).is_finite().all() { Ok(()) } else { Err(not_finite::<C>(state, inputs)) }
 }
 
 /// Fails as [`check_finite`] does, for a slice that may be long.
 ///
-/// It adds up 16 partial sums: a single one would take as long as computing the chain.
+/// # Errors
+/// [`Error::NotFinite`].
+#[inline]
+pub fn check_finite_slice<C: Described, T: Scalar>(
+    values: &[T],
+    state: &C::State,
+    inputs: &C::Inputs,
+) -> Result<(), Error> {
+    if is_finite_slice(values) { Ok(()) } else { Err(not_finite::<C>(state, inputs)) }
+}
+
+/// Fails if an entry of an argument other than state and inputs, or the sum of all entries, is NaN or infinite.
 ///
 /// # Errors
 /// [`Error::NotFinite`].
 #[inline]
-pub fn check_finite_slice<T: Scalar>(values: &[T]) -> Result<(), Error> {
+pub fn check_argument<T: Scalar>(name: &'static str, values: &[T]) -> Result<(), Error> {
+    if is_finite_slice(values) { Ok(()) } else { Err(argument_not_finite(name, values)) }
+}
+
+/// Returns whether all values and their sum are finite.
+///
+/// It adds up 16 partial sums: a single one would take as long as computing the chain.
+#[inline]
+fn is_finite_slice<T: Scalar>(values: &[T]) -> bool {
     let (chunks, rest) = values.as_chunks::<16>();
     let mut sums = [T::constant(0.0); 16];
     for chunk in chunks {
@@ -143,21 +172,48 @@ pub fn check_finite_slice<T: Scalar>(values: &[T]) -> Result<(), Error> {
             *sum += value;
         }
     }
-    check_finite(&[&sums, rest])
+    T::sum(&[&sums, rest]).is_finite().all()
 }
 
-/// Returns the reason why a chain has no accelerations.
+/// Returns the error for results that are not finite: the value of the state or of the inputs that caused it.
 #[cold]
 #[inline(never)]
-fn find_error<T: Scalar>(hinges: &[&'static str], pivots: &[T], scales: &[T]) -> Error {
+fn not_finite<C: Described>(state: &C::State, inputs: &C::Inputs) -> Error {
+    Error::NotFinite(C::not_finite(state, inputs).unwrap_or(Origin::Result))
+}
+
+/// Returns the error for results that are not finite: the entry of an argument if state and inputs have no such value.
+#[cold]
+#[inline(never)]
+pub fn or_argument<T: Scalar>(error: Error, name: &'static str, values: &[T]) -> Error {
+    match error {
+        Error::NotFinite(Origin::Result) => argument_not_finite(name, values),
+        other => other,
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn argument_not_finite<T: Scalar>(name: &'static str, values: &[T]) -> Error {
+    Error::NotFinite(origin::of_argument(name, values))
+}
+
+/// Returns the first hinge whose pivot vanishes; `None` if a value is not finite instead.
+#[cold]
+#[inline(never)]
+fn singular_hinge<T: Scalar>(
+    hinges: &[&'static str],
+    pivots: &[T],
+    scales: &[T],
+) -> Option<&'static str> {
     let rounding = T::epsilon() * T::constant(PIVOT_ULPS);
     for ((&hinge, &pivot), &scale) in hinges.iter().zip(pivots).zip(scales) {
         // A state that is too large does not make a hinge singular.
         if (pivot.is_finite() & scale.is_finite()).all() && !pivot.simd_gt(rounding * scale).all() {
-            return Error::Singular { hinge };
+            return Some(hinge);
         }
     }
-    Error::NotFinite
+    None
 }
 
 /// Keeps the compiler from moving stores across this point, which would occupy registers longer.

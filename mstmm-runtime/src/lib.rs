@@ -123,6 +123,7 @@ pub mod linear;
 mod linearization;
 mod loop_closure;
 mod momentum;
+mod origin;
 pub mod paper;
 mod point;
 mod primitive;

@@ -1,5 +1,6 @@
 //! Checks of the quaternions of states and prescribed motions.
 
+use crate::origin;
 use crate::{Error, Mask, Scalar};
 
 /// The smallest accepted length of a quaternion.
@@ -82,7 +83,7 @@ pub(crate) fn to_unit_length<T: Scalar>(
     quaternion: [T; 4],
 ) -> Result<[T; 4], Error> {
     if !is_finite(quaternion).all() {
-        return Err(Error::NotFinite);
+        return Err(Error::NotFinite(origin::of_argument("quaternion", &quaternion)));
     }
     check_quaternion(hinge, quaternion)?;
     let scale = square(quaternion).sqrt().recip();

@@ -5,6 +5,7 @@ mod common;
 use common::{
     Pendulum, State, Top, assert_order, norm_error, swing, swing_error, top_at, top_error,
 };
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::{Chain, ChainState, Dopri5, Error};
 
 /// An integrator that takes steps of `h` whatever the error.
@@ -283,13 +284,19 @@ fn stages_that_are_not_finite_shorten_the_step() {
     assert!(state.t <= 1.0 && state.t > 1.0 - 1e-12, "{}", state.t);
     // At once at the start it is the user's error, not the step's.
     state.v[0] = f64::NAN;
-    assert_eq!(integrator.step(&chain, &mut state, |_, _| 0.0), Err(Error::NotFinite));
+    assert_eq!(
+        integrator.step(&chain, &mut state, |_, _| 0.0),
+        Err(Error::NotFinite(Origin::Rate(0)))
+    );
     let mut state = Pendulum::at(0.1, 0.0);
     state.t = f64::INFINITY;
-    assert_eq!(integrator.step(&chain, &mut state, |_, _| 0.0), Err(Error::NotFinite));
+    assert_eq!(
+        integrator.step(&chain, &mut state, |_, _| 0.0),
+        Err(Error::NotFinite(Origin::Time))
+    );
     assert_eq!(
         integrator.advance_to(&chain, &mut state, f64::NAN, |_, _| 0.0),
-        Err(Error::NotFinite)
+        Err(Error::NotFinite(Origin::End))
     );
 }
 

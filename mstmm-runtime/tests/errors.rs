@@ -1,6 +1,7 @@
 //! The texts of errors.
 
 use mstmm_runtime::Error;
+use mstmm_runtime::description::Origin;
 
 #[test]
 fn errors_have_these_texts() {
@@ -10,10 +11,23 @@ fn errors_have_these_texts() {
         "the bodies outboard of hinge `elbow` have no inertia along one of its axes in this state, or \
          rounding has lost it next to much larger inertias: if so, use `f64`, or masses that differ less"
     );
-    assert_eq!(
-        text(Error::NotFinite),
-        "a coordinate, rate, input or time is not finite, or too large"
-    );
+    for (origin, expected) in [
+        (Origin::Time, "the time is not finite"),
+        (Origin::Coordinate(0), "coordinate 0 (counted from 0) is not finite"),
+        (Origin::Rate(2), "rate 2 (counted from 0) is not finite"),
+        (Origin::Input(12), "input 12 (counted from 0) is not finite"),
+        (
+            Origin::Argument { name: "accelerations", index: 3 },
+            "entry 3 (counted from 0) of `accelerations` is not finite",
+        ),
+        (Origin::End, "the end time is not finite"),
+        (
+            Origin::Result,
+            "a result overflows: a value of the state, the inputs or the step is too large",
+        ),
+    ] {
+        assert_eq!(text(Error::NotFinite(origin)), expected);
+    }
     assert_eq!(
         text(Error::InvalidQuaternion { hinge: "wrist" }),
         "the quaternion of `wrist` is not a rotation: its length must be between 0.9 and 1.1"

@@ -155,10 +155,16 @@ fn stiff_springs_do_not_limit_the_step() {
 
         let (mut state, mut rk4) = (start.clone(), Rk4::new(h));
         let end = rk4.advance_to(&chain, &mut state, 20.0, |_, _| 0.0);
-        assert!(end == Err(Error::NotFinite) || state.v[0].abs() > 1e50, "{end:?} {state:?}");
+        assert!(
+            matches!(end, Err(Error::NotFinite(_))) || state.v[0].abs() > 1e50,
+            "{end:?} {state:?}"
+        );
         let (mut state, mut euler) = (start.clone(), SemiImplicitEuler::new(h));
         let end = euler.advance_to(&chain, &mut state, 20.0, |_, _| 0.0);
-        assert!(end == Err(Error::NotFinite) || state.v[0].abs() > 1e50, "{end:?} {state:?}");
+        assert!(
+            matches!(end, Err(Error::NotFinite(_))) || state.v[0].abs() > 1e50,
+            "{end:?} {state:?}"
+        );
     }
 }
 

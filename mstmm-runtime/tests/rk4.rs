@@ -6,6 +6,7 @@ use common::{
     Pendulum, Spring, State, Top, assert_order, norm_error, spring_error, swing, swing_error,
     top_at, top_error,
 };
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::{Error, Rk4};
 
 /// Errors at t = 2 for steps halved again and again.
@@ -176,7 +177,10 @@ fn an_error_leaves_the_state_as_it_was() {
     let mut state = start.clone();
     let mut rk4 = Rk4::new(0.1);
     let from_the_middle_on = |t: f64, _: &State<f64, 1, 1>| if t > 0.0 { f64::NAN } else { 0.0 };
-    assert_eq!(rk4.step(&chain, &mut state, from_the_middle_on), Err(Error::NotFinite));
+    assert_eq!(
+        rk4.step(&chain, &mut state, from_the_middle_on),
+        Err(Error::NotFinite(Origin::Input(0)))
+    );
     assert_eq!(state, start);
 
     chain.singular_beyond = 0.12;
@@ -197,11 +201,12 @@ fn a_result_that_is_not_finite_is_an_error() {
     let mut state = Top::start();
     state.v = [1e200, 1e200, 1e200];
     let before = state.clone();
-    assert_eq!(Rk4::new(0.1).step(&top, &mut state, |_, _| ()), Err(Error::NotFinite));
+    let overflow = Rk4::new(0.1).step(&top, &mut state, |_, _| ());
+    assert_eq!(overflow, Err(Error::NotFinite(Origin::Coordinate(0))));
     assert_eq!(state, before);
     let mut state = Pendulum::<f64>::at(0.0, 0.0);
     assert_eq!(
         Rk4::new(f64::NAN).step(&Pendulum::new(), &mut state, |_, _| 0.0),
-        Err(Error::NotFinite)
+        Err(Error::NotFinite(Origin::Coordinate(0)))
     );
 }

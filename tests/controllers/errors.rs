@@ -2,6 +2,7 @@
 
 use super::models::*;
 use mstmm::Error;
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 
 /// Errors of the chain are converted to the controller's type.
@@ -13,9 +14,9 @@ fn errors_of_the_chain_are_converted<C: Driven, I: Integrator<C>>() {
     let mut state = chain.start();
     state.rates_mut()[0] = nan;
     let result = integrator.try_step(&chain, &mut state, fine);
-    assert_eq!(result, Err(Fault::Chain(Error::NotFinite)));
+    assert_eq!(result, Err(Fault::Chain(Error::NotFinite(Origin::Rate(0)))));
     let result = integrator.try_advance_to(&chain, &mut chain.start(), nan, fine);
-    assert_eq!(result, Err(Fault::Chain(Error::NotFinite)));
+    assert_eq!(result, Err(Fault::Chain(Error::NotFinite(Origin::End))));
 }
 
 #[test]

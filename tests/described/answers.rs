@@ -1,6 +1,6 @@
 //! `Answers`: each answer by its name is that of its method, bit for bit.
 
-use mstmm::description::{Answer, Answers};
+use mstmm::description::{Answer, Answers, Origin};
 use mstmm::nalgebra::{SMatrix, SVector};
 use mstmm::{ChainState, Described, Error, FrameMotion, mstmm_chain};
 
@@ -236,5 +236,54 @@ fn the_length_of_a_motion_in_a_state_is_checked() {
     let (mut state, inputs) = (chain.initial_state(), chain.no_inputs());
     assert_eq!(chain.motion(&state, &inputs, place, &mut [0.0; 7]), None);
     state.coordinates_mut()[0] = f64::NAN;
-    assert_eq!(chain.motion(&state, &inputs, place, &mut []), Some(Err(Error::NotFinite)));
+    assert_eq!(
+        chain.motion(&state, &inputs, place, &mut []),
+        Some(Err(Error::NotFinite(Origin::Coordinate(0))))
+    );
+}
+
+/// A given vector that is not finite is named, with the index of its entry.
+#[test]
+fn given_values_that_are_not_finite_are_named() {
+    let chain = Everything::<f64>::new();
+    let of = Everything::<f64>::DESCRIPTION;
+    let (n, inputs) = (of.rates().len(), of.inputs().len());
+    let direction = [
+        ("direction.coordinates", n),
+        ("direction.rates", n),
+        ("direction.inputs", inputs),
+        ("direction.parameters", of.parameters().len()),
+    ];
+    let mut named = 0;
+    for answer in Answer::ALL {
+        let parts = match answer {
+            Answer::InverseDynamics | Answer::InverseDynamicsDerivatives | Answer::Regressor => {
+                vec![("accelerations", n)]
+            }
+            Answer::MassMatrixTimes | Answer::InverseMassMatrixTimes | Answer::Pull => {
+                vec![("vector", n)]
+            }
+            Answer::Push => direction.to_vec(),
+            _ => vec![],
+        };
+        let mut given = vec![0.1; answer.given(of)];
+        assert_eq!(given.len(), parts.iter().map(|(_, len)| len).sum::<usize>(), "{answer:?}");
+        let mut result = vec![0.0; answer.len(of, Everything::<f64>::DYNAMIC_PARAMETERS)];
+        let mut ask = |given: &[f64]| {
+            let (state, inputs) = (chain.initial_state(), chain.no_inputs());
+            chain.answer(answer, &state, &inputs, given, &mut result)
+        };
+        assert_eq!(ask(&given), Some(Ok(())), "{answer:?}");
+        let places = parts.iter().flat_map(|&(name, len)| (0..len).map(move |i| (name, i)));
+        for (place, (name, index)) in places.enumerate() {
+            for wrong in [f64::NAN, f64::NEG_INFINITY] {
+                given[place] = wrong;
+                let origin = Origin::Argument { name, index };
+                assert_eq!(ask(&given), Some(Err(Error::NotFinite(origin))), "{answer:?}");
+            }
+            given[place] = 0.1;
+            named += 1;
+        }
+    }
+    assert_eq!(named, 6 * n + 2 * n + inputs + of.parameters().len());
 }

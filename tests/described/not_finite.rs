@@ -2,7 +2,7 @@
 
 use super::models::{Crawler, CrawlerInputs, CrawlerState, FourBar, Kinds, Raft, Rope, Train};
 use mstmm::description::Origin;
-use mstmm::{ChainState, Described, Error};
+use mstmm::{ChainState, Described, Dopri5, Error, Newmark, Rk4};
 
 const WRONG: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -14,14 +14,18 @@ struct Case<C: Described<Scalar = f64>> {
 }
 
 impl<C: Described<Scalar = f64>> Case<C> {
-    /// Asserts that the solution fails because of this value, and returns its name.
+    /// Asserts that solutions and steps fail because of this value, and returns its name.
     #[track_caller]
     fn fails(&self, expected: Origin) -> String {
         let Case { chain, state, inputs } = self;
-        let solved = chain.solve_into(state, inputs, &mut chain.workspace());
-        assert_eq!(solved, Err(Error::NotFinite), "{expected:?}");
-        let found = C::not_finite(state, inputs);
-        assert_eq!(found, Some(expected));
+        let refused = Err(Error::NotFinite(expected));
+        assert_eq!(chain.solve_into(state, inputs, &mut chain.workspace()), refused);
+        assert_eq!(chain.derivative_into(state, inputs, &mut state.clone()), refused);
+        let with = |_, _: &C::State| inputs.clone();
+        assert_eq!(Rk4::new(1e-3).step(chain, &mut state.clone(), with), refused);
+        assert_eq!(Dopri5::new(1e-6, 1e-6).step(chain, &mut state.clone(), with), refused);
+        assert_eq!(Newmark::new(1e-3).step(chain, &mut state.clone(), with), refused);
+        assert_eq!(C::not_finite(state, inputs), Some(expected));
         C::DESCRIPTION.name_of(expected).expect("a name").to_string()
     }
 }
@@ -65,6 +69,9 @@ fn check<C: Described<Scalar = f64>>(chain: impl Fn() -> C) {
         Origin::Coordinate(it.coordinates().len()),
         Origin::Rate(it.rates().len()),
         Origin::Input(it.inputs().len()),
+        Origin::Argument { name: "vector", index: 0 },
+        Origin::End,
+        Origin::Result,
     ];
     assert!(ends.iter().all(|end| it.name_of(*end).is_none()));
 }
@@ -99,6 +106,29 @@ fn names_are_accessors() {
     assert_eq!(name(&state, &inputs), "left.knee.angle");
 }
 
+/// A program that shows its user which value is wrong.
+#[test]
+fn errors_of_steps_have_names() {
+    let chain = Crawler::<f64>::new();
+    let mut state = chain.initial_state();
+    let before = state.clone();
+    // The input is wrong only at a later stage of the step.
+    let late = |time: f64, _: &CrawlerState<f64>| {
+        let mut inputs = chain.no_inputs();
+        inputs.left_knee = if time > 0.0 { f64::INFINITY } else { 0.0 };
+        inputs
+    };
+    let step = Rk4::new(1e-3).step(&chain, &mut state, late);
+    let name = match step {
+        Err(Error::NotFinite(origin)) => Crawler::<f64>::DESCRIPTION.name_of(origin),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(name.expect("a name").to_string(), "left.knee");
+    assert_eq!(state, before);
+    let forever = Rk4::new(1e-3).advance_to(&chain, &mut state, f64::NAN, |_, _| chain.no_inputs());
+    assert_eq!(forever, Err(Error::NotFinite(Origin::End)));
+}
+
 /// No value is found where finite values overflow.
 #[test]
 fn values_that_are_too_large_have_no_origin() {
@@ -108,6 +138,6 @@ fn values_that_are_too_large_have_no_origin() {
     state.v[1] = f64::MAX;
     let inputs = chain.no_inputs();
     let solved = mstmm::GeneratedChain::solve_into(&chain, &state, &inputs, &mut chain.workspace());
-    assert_eq!(solved, Err(Error::NotFinite));
+    assert_eq!(solved, Err(Error::NotFinite(Origin::Result)));
     assert_eq!(Train::<f64>::not_finite(&state, &inputs), None);
 }

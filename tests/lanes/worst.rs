@@ -1,5 +1,6 @@
 //! One decision for all lanes: that of the worst lane.
 
+use mstmm::description::Origin;
 use mstmm::wide::f64x8;
 use mstmm::{ChainState, Dopri5, Error, Rk4, Scalar};
 
@@ -144,13 +145,17 @@ fn one_lane_that_is_not_finite_fails_for_all() {
         for by in [f64::NAN, f64::INFINITY] {
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
             spoil(&mut case.state.coordinates_mut()[5], by);
-            fails(&case, Error::NotFinite, &format!("coordinate, lane {lane}"));
+            fails(
+                &case,
+                Error::NotFinite(Origin::Coordinate(5)),
+                &format!("coordinate, lane {lane}"),
+            );
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
             spoil(&mut case.state.rates_mut()[8], by);
-            fails(&case, Error::NotFinite, &format!("rate, lane {lane}"));
+            fails(&case, Error::NotFinite(Origin::Rate(8)), &format!("rate, lane {lane}"));
             let (mut case, _) = cases::<Balls<W>, Balls<f64>>(5);
             spoil(&mut case.inputs.a.y, by);
-            fails(&case, Error::NotFinite, &format!("input, lane {lane}"));
+            fails(&case, Error::NotFinite(Origin::Input(1)), &format!("input, lane {lane}"));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Lanes: all of them must be good.
 
 use super::models::*;
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::wide::{f32x4, f64x2};
 use mstmm::{Error, Mask, Scalar};
@@ -15,7 +16,7 @@ fn check<W: Scalar>(lanes: usize, pack: impl Fn(usize, f64, f64) -> W) {
             (0.8, Err(Error::InvalidQuaternion { hinge: "b" })),
             (1.2, Err(Error::InvalidQuaternion { hinge: "b" })),
             (0.95, Ok(())),
-            (f64::NAN, Err(Error::NotFinite)),
+            (f64::NAN, Err(Error::NotFinite(Origin::Coordinate(7)))),
         ] {
             let mut state = chain.initial_state();
             let (good, bad) = (of_length::<f64>(1.0), of_length::<f64>(length));

@@ -2,7 +2,7 @@
 
 use super::models::*;
 use mstmm::prelude::*;
-use mstmm::{BallState, Error, FloatingState, GeneratedChain, HingeMotion};
+use mstmm::{BallState, Described, Error, FloatingState, GeneratedChain, HingeMotion};
 
 macro_rules! check {
     ($chain:ident $inputs:ident $number:ident) => {{
@@ -44,7 +44,11 @@ macro_rules! check {
             let mut quaternion = of_length(1.0);
             quaternion[1] = $number::NAN;
             let (inputs, _) = with(which, quaternion);
-            assert_refused(&chain, &state, &inputs, Error::NotFinite);
+            let origin = $chain::<$number>::not_finite(&state, &inputs).expect("the component");
+            let name = $chain::<$number>::DESCRIPTION.name_of(origin).expect("a name").to_string();
+            let hinge = ["deck", "b", "c[0]", "c[1]", "c[2]"][which];
+            assert_eq!(name, format!("{hinge}.state.orientation.x"));
+            assert_refused(&chain, &state, &inputs, Error::NotFinite(origin));
         }
         // Inputs are given anew at every stage, so they are checked there.
         let at_stage = |number: usize| {

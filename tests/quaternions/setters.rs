@@ -2,6 +2,7 @@
 
 use super::models::*;
 use mstmm::Error;
+use mstmm::description::Origin;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 /// The setters of all kinds of accessors: once, repeated, in a chain with repeated parts, floating.
@@ -23,7 +24,7 @@ fn check<T: Number>() {
             for broken in [T::NAN, T::INFINITE] {
                 let mut quaternion = of_length(1.0);
                 quaternion[2] = broken;
-                assert_eq!(set(quaternion), Err(Error::NotFinite));
+                assert_eq!(set(quaternion), Err(Error::NotFinite(Origin::Argument { name: "quaternion", index: 2 })));
             }
             for quaternion in accepted() {
                 assert_eq!(set(quaternion), Ok(()));

@@ -1,6 +1,7 @@
 //! States: single, repeated and closed chains, and those that float.
 
 use super::models::*;
+use mstmm::description::Origin;
 use mstmm::{ChainState, Error};
 
 /// Every quaternion of a state in turn is one that is refused, accepted, or not finite.
@@ -36,7 +37,12 @@ fn check<C: Compared>(places: &[(usize, &'static str)]) {
                 let mut quaternion = of_length(1.0);
                 quaternion[component] = broken;
                 let state = with(place, quaternion);
-                assert_refused(&chain, &state, &inputs, Error::NotFinite);
+                assert_refused(
+                    &chain,
+                    &state,
+                    &inputs,
+                    Error::NotFinite(Origin::Coordinate(place + component)),
+                );
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Chains with repeated parts whose accelerations or poses are the same in every state, so that no loop computes
 //! them.
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Error, mstmm_chain};
 
@@ -28,14 +29,12 @@ fn unused_values_that_are_not_finite_are_found() {
         let mut wrong = [carts.initial_state(), carts.initial_state()];
         wrong[0].coordinates_mut()[place] = f64::NAN;
         wrong[1].rates_mut()[place] = f64::INFINITY;
-        for state in wrong {
-            assert_eq!(carts.accelerations(&state, &inputs), Err(Error::NotFinite), "{place}");
+        let origins = [Origin::Coordinate(place), Origin::Rate(place)];
+        for (state, origin) in wrong.into_iter().zip(origins) {
+            let refused = Error::NotFinite(origin);
+            assert_eq!(carts.accelerations(&state, &inputs), Err(refused), "{place}");
             let mut at = carts.workspace();
-            assert_eq!(
-                carts.solve_into(&state, &inputs, &mut at),
-                Err(Error::NotFinite),
-                "{place}"
-            );
+            assert_eq!(carts.solve_into(&state, &inputs, &mut at), Err(refused), "{place}");
         }
     }
     let state = carts.initial_state();

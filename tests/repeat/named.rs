@@ -1,6 +1,9 @@
 //! Repeated hinges and bodies by their index, and errors that name them.
 
-use mstmm::{BallState, ChainState, Error, HingeMotion, PinState, SliderState, mstmm_chain};
+use mstmm::description::Origin;
+use mstmm::{
+    BallState, ChainState, Described, Error, HingeMotion, PinState, SliderState, mstmm_chain,
+};
 use mstmm_reference::Random;
 use nalgebra::Vector3;
 
@@ -122,13 +125,18 @@ fn results_are_read_by_index() {
 fn values_that_are_not_finite_are_found_everywhere() {
     let chain = Arm::<f64>::new();
     let (state, inputs) = (chain.initial_state(), chain.no_inputs());
-    let refused = |state: &ArmState<f64>, inputs: &ArmInputs<f64>| {
+    let refused = |state: &ArmState<f64>, inputs: &ArmInputs<f64>, name: String| {
+        let origin = Arm::<f64>::not_finite(state, inputs).expect("a value");
+        let found = Arm::<f64>::DESCRIPTION.name_of(origin).expect("a name").to_string();
+        assert!(found.starts_with(&name), "{found} is no {name}");
         let mut at = chain.workspace();
         let before = at.clone();
-        assert_eq!(chain.solve_into(state, inputs, &mut at), Err(Error::NotFinite));
+        assert_eq!(chain.solve_into(state, inputs, &mut at), Err(Error::NotFinite(origin)));
         assert!(at == before);
-        assert_eq!(chain.accelerations(state, inputs), Err(Error::NotFinite));
+        assert_eq!(chain.accelerations(state, inputs), Err(Error::NotFinite(origin)));
     };
+    let (coordinates, rates) =
+        (Arm::<f64>::DESCRIPTION.coordinates(), Arm::<f64>::DESCRIPTION.rates());
     // Where no number is zero, infinite ones do not vanish in products that are undefined.
     let somewhere = random_state::<Arm<f64>>(&mut Random::new(7));
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -136,25 +144,25 @@ fn values_that_are_not_finite_are_found_everywhere() {
             for place in 0..state.q.len() {
                 let mut state = start.clone();
                 state.q[place] = wrong;
-                refused(&state, &inputs);
+                refused(&state, &inputs, coordinates.get(place).expect("a name").name.to_string());
             }
             for place in 0..state.v.len() {
                 let mut state = start.clone();
                 state.v[place] = wrong;
-                refused(&state, &inputs);
+                refused(&state, &inputs, rates.get(place).expect("a name").name.to_string());
             }
         }
         for index in 0..3 {
             let mut with = inputs;
             with.a[index] = wrong;
-            refused(&state, &with);
+            refused(&state, &with, format!("a[{index}]"));
             for axis in 0..3 {
                 let mut with = inputs;
                 with.c[index][axis] = wrong;
-                refused(&state, &with);
+                refused(&state, &with, format!("c[{index}].{}", ["x", "y", "z"][axis]));
                 let mut with = inputs;
                 with.push_force[index][axis] = wrong;
-                refused(&state, &with);
+                refused(&state, &with, format!("push[{index}].force.{}", ["x", "y", "z"][axis]));
             }
         }
     }
@@ -181,7 +189,7 @@ fn motions_that_are_not_finite_are_found_everywhere() {
             let mut inputs = chain.no_inputs();
             inputs.a[index] = HingeMotion { state: SliderState::new(q, v), acceleration };
             let result = chain.accelerations(&state, &inputs);
-            assert_eq!(result, Err(Error::NotFinite), "{place} of {index}");
+            assert_eq!(result, Err(Error::NotFinite(Origin::Input(3 * index + place))));
         }
     }
 }

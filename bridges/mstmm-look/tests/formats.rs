@@ -6,6 +6,7 @@ mod chains;
 mod motions;
 
 use chains::Dog;
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Described, Error};
 use mstmm_look::{Group, Motion, Options, Recording};
@@ -196,7 +197,7 @@ fn what_cannot_be_shown_is_an_error() -> Result<(), Box<dyn std::error::Error>> 
     let mut state = dog.initial_state();
     state.v[0] = f64::NAN;
     let mut recording = Recording::new(&dog);
-    assert_eq!(recording.record(&state, &dog.no_inputs()), Err(Error::NotFinite));
+    assert_eq!(recording.record(&state, &dog.no_inputs()), Err(Error::NotFinite(Origin::Rate(0))));
     assert!(recording.is_empty());
     let mut motion = Motion::of(&dog, Options::default());
     assert!(motion.push(&[0.0]).expect_err("too few").to_string().contains("not 1"));

@@ -103,7 +103,7 @@ def test_errors_name_what_is_wrong(tmp_path):
         empty.record(np.zeros(3))
     wrong = states.copy()
     wrong[3, 2] = np.nan
-    with pytest.raises(FloatingPointError, match="row 3: `rail.velocity` is nan"):
+    with pytest.raises(FloatingPointError, match="row 3: `rail.velocity` is not finite"):
         empty.record(wrong, None, H * np.arange(len(wrong)))
     assert len(empty) == 3, "the frames before are recorded"
     with pytest.raises(OSError):

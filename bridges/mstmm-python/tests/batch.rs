@@ -122,7 +122,7 @@ fn the_first_row_that_fails_is_reported_and_others_are_computed() {
     }
     for threads in [1, 4] {
         let failed = run(RK4, &states, threads, OnError::Fail).expect_err("two states are NaN");
-        assert_eq!(failed, "Failure { row: 19, step: Some(0), error: NotFinite }");
+        assert_eq!(failed, "Failure { row: 19, step: Some(0), error: NotFinite(Coordinate(0)) }");
         let rest = run(RK4, &states, threads, OnError::Nan).expect("NaN for those that fail");
         for row in 0..ROWS {
             let values = &rest[row * NX..][..NX];

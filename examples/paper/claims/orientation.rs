@@ -8,6 +8,7 @@ mod swing;
 
 use std::f64::consts::PI;
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Chain, Error};
 
@@ -74,7 +75,7 @@ struct SwingErrors {
 
 pub fn run(progress: &Progress) -> Result<SectionResult, Error> {
     let swing = Swing::up_to(HIGHEST);
-    let reference = swing.reference().ok_or(Error::NotFinite)?;
+    let reference = swing.reference().ok_or(Error::NotFinite(Origin::Result))?;
     let mut by_step = Vec::new();
     for step in STEPS {
         progress.begin(&format!("orientation: step {step} s"));
@@ -134,7 +135,7 @@ fn integrate<C: Chain<Scalar = f64, Inputs = TopInputs<f64>>>(
     for _ in 0..(END / step).round() as usize {
         match rk4.step(chain, &mut state, |_time, _state| top.no_inputs()) {
             Ok(()) => (),
-            Err(Error::NotFinite) => return Ok(Errors::NOT_FINITE),
+            Err(Error::NotFinite(_)) => return Ok(Errors::NOT_FINITE),
             Err(other) => return Err(other),
         }
         largest = largest.max((energy(&state) - first).abs());
@@ -203,7 +204,7 @@ fn by_swings(progress: &Progress) -> Result<ResultTable, Error> {
     let swings = upwards.into_iter().chain([Swing::through(), Swing::in_plane()]);
     for swing in swings {
         progress.begin(&format!("orientation: {}", swing.name));
-        let reference = swing.reference().ok_or(Error::NotFinite)?;
+        let reference = swing.reference().ok_or(Error::NotFinite(Origin::Result))?;
         let SwingErrors { angles, quaternions } = swing_errors(&swing, &reference.end, STEP)?;
         checks.push(Check {
             what: format!("quaternions, {}", swing.name),

@@ -1,9 +1,10 @@
 //! The trait of chains that describe themselves.
 
-use super::origin::{self, Origin};
+use super::origin;
 use super::results::{Arrays, spring, spring_len};
 use super::values::{Search, Values};
 use super::{BodyInertia, Description, Dimension, PointResult, WrittenInertia};
+use crate::origin::Origin;
 use crate::{Energy, Error, GeneratedChain, SpringResult};
 
 /// A chain that describes itself at run time. `mstmm_chain!` implements it for all chains.
@@ -51,10 +52,9 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
 
     /// Returns the first value that is NaN or infinite, in any lane: the time, then coordinates, rates and inputs.
     ///
-    /// It finds the cause of [`Error::NotFinite`], and [`Description::name_of`] gives its name. If there is none, a
-    /// value is so large that results overflow, or an argument other than state and inputs is not finite. Functions do
-    /// not search for the value themselves: it would make the test slower and the code larger. The inputs are copied, as
-    /// by [`inputs_to_slice`](Self::inputs_to_slice).
+    /// [`Description::name_of`] gives its name. Functions that fail with [`Error::NotFinite`] call it after the failure,
+    /// so that a step without a failure has no such search. The inputs are copied, as by
+    /// [`inputs_to_slice`](Self::inputs_to_slice).
     ///
     /// ```
     /// use mstmm_runtime::description::Origin;

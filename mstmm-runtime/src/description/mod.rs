@@ -40,7 +40,7 @@ mod described;
 mod hinge;
 mod items;
 mod name;
-mod origin;
+pub(crate) mod origin;
 mod part;
 mod quantity;
 mod results;
@@ -49,6 +49,7 @@ mod shape;
 mod table;
 mod values;
 
+pub use crate::origin::Origin;
 pub use answers::{Answer, AnswerPart, Answers, BodyFrame};
 #[doc(hidden)]
 pub use body::WrittenInertia;
@@ -58,7 +59,6 @@ pub(crate) use described::no_parameter;
 pub use hinge::{Dofs, Hinge, HingeShape};
 pub use items::{Item, Items};
 pub use name::Name;
-pub use origin::Origin;
 pub use part::QuantityKind;
 pub use quantity::{Quantities, Quantity};
 #[doc(hidden)]

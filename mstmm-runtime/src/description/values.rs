@@ -2,7 +2,7 @@
 
 use core::slice;
 
-use super::origin::is_not_finite;
+use crate::origin::is_not_finite;
 use crate::{
     BallState, CylindricalState, ElasticState, FloatingState, HingeMotion, PinState, PlanarState,
     PlaneElasticState, Scalar, ScrewState, SliderState, UniversalState,

@@ -5,7 +5,7 @@ use defmt::{Format, Formatter, write};
 use super::labels::{Label, TIME};
 use super::listing::Listing;
 use super::point_tables::shown;
-use crate::description::Name;
+use crate::description::{Name, Origin};
 use crate::point::{LinePoint, PlanePoint, Point, Results};
 use crate::{Error, Scalar};
 
@@ -63,12 +63,27 @@ macro_rules! points {
 
 points! { Point PlanePoint LinePoint }
 
+/// Writes the variant with its name and index.
+impl Format for Origin {
+    fn format(&self, f: Formatter<'_>) {
+        match *self {
+            Origin::Time => write!(f, "time"),
+            Origin::Coordinate(index) => write!(f, "coordinate {=usize}", index),
+            Origin::Rate(index) => write!(f, "rate {=usize}", index),
+            Origin::Input(index) => write!(f, "input {=usize}", index),
+            Origin::Argument { name, index } => write!(f, "{=str}[{=usize}]", name, index),
+            Origin::End => write!(f, "end"),
+            Origin::Result => write!(f, "result"),
+        }
+    }
+}
+
 /// Writes the variant with its names.
 impl Format for Error {
     fn format(&self, f: Formatter<'_>) {
         match *self {
             Error::Singular { hinge } => write!(f, "Singular hinge {=str}", hinge),
-            Error::NotFinite => write!(f, "NotFinite"),
+            Error::NotFinite(origin) => write!(f, "NotFinite {}", origin),
             Error::InvalidQuaternion { hinge } => write!(f, "InvalidQuaternion of {=str}", hinge),
             Error::InvalidParameter { name, reason } => {
                 write!(f, "InvalidParameter {=str} {=str}", name, reason);

@@ -1,6 +1,8 @@
 //! Arithmetic on whole states, entry by entry in place: states may be large and are never copied to the stack.
 
-use crate::{ChainState, Mask, Scalar};
+use crate::description::origin;
+use crate::origin::Origin;
+use crate::{ChainState, Error, Mask, Scalar};
 
 /// Changes each coordinate and each rate of `state` by the same entry of `other`.
 #[inline(always)]
@@ -78,6 +80,12 @@ pub(super) fn start_plus_scaled<S: ChainState>(end: &mut S, start: &S, step: S::
 /// Returns whether all coordinates, all rates and the time are finite, in all lanes.
 pub(super) fn is_finite<S: ChainState>(state: &S) -> bool {
     state.time().is_finite().all() && has_finite_entries(state)
+}
+
+/// Returns the error for a state that is not finite.
+#[cold]
+pub(super) fn not_finite<S: ChainState>(state: &S) -> Error {
+    Error::NotFinite(origin::of_state(state).unwrap_or(Origin::Result))
 }
 
 /// Returns whether all coordinates and all rates are finite, in all lanes; for derivatives, whose time is unspecified.

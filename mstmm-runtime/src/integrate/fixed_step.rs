@@ -2,7 +2,8 @@
 
 use super::Real;
 use super::ask::ask;
-use super::combine::{copy, is_finite};
+use super::combine::{copy, is_finite, not_finite};
+use crate::description::Origin;
 use crate::{Chain, ChainState, Error, Scalar};
 
 /// A method whose steps have a given size.
@@ -48,7 +49,7 @@ pub(super) fn advance_to<C: Chain, E: From<Error>>(
     mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
 ) -> Result<(), E> {
     if !end.is_finite() {
-        return Err(Error::NotFinite.into());
+        return Err(Error::NotFinite(Origin::End).into());
     }
     chain.check_state(state)?;
     while state.time().max_lane() != end {
@@ -76,7 +77,7 @@ pub(super) fn arrive<C: Chain, E: From<Error>>(
     chain.normalize(result);
     chain.project(result, |state| ask(chain, inputs, time, state))?;
     if !is_finite(result) {
-        return Err(Error::NotFinite.into());
+        return Err(not_finite(result).into());
     }
     copy(state, result);
     Ok(())

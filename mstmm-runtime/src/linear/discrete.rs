@@ -9,6 +9,7 @@
 use super::Columns;
 use super::product::add_product;
 use crate::integrate::combine::sum_scaled;
+use crate::origin::Origin;
 use crate::{Chain, ChainState, Error, Mask, Scalar};
 use nalgebra::{SMatrix, SVector};
 
@@ -256,7 +257,7 @@ pub fn discretize<C: Linearize<N, U>, const N: usize, const U: usize>(
     }
     model = unit;
     model.add_scaled(step * C::Scalar::constant(1.0 / 6.0), &sum);
-    if model.is_finite() { Ok(model) } else { Err(Error::NotFinite) }
+    if model.is_finite() { Ok(model) } else { Err(Error::NotFinite(Origin::Result)) }
 }
 
 fn zeros<T: Scalar, const R: usize, const C: usize>() -> Columns<T, R, C> {

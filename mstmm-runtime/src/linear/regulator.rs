@@ -11,6 +11,7 @@
 use super::product::{add_product, product, transposed};
 use super::solve::solve_both;
 use super::{Columns, largest, solve_positive_definite};
+use crate::origin;
 use crate::{Error, Mask, Scalar};
 use nalgebra::SMatrix;
 
@@ -49,9 +50,10 @@ pub fn lqr<T: Scalar, const X: usize, const U: usize>(
     q: &SMatrix<T, X, X>,
     r: &SMatrix<T, U, U>,
 ) -> Result<Lqr<T, X, U>, Error> {
-    if !(is_finite(a) & is_finite(b) & is_finite(q) & is_finite(r)).all() {
-        return Err(Error::NotFinite);
-    }
+    check_finite("a", a)?;
+    check_finite("b", b)?;
+    check_finite("q", q)?;
+    check_finite("r", r)?;
     let (a, b) = (&a.data.0, &b.data.0);
     let (mut q, mut r) = (q.data.0, r.data.0);
     make_symmetric(&mut q);
@@ -165,6 +167,13 @@ fn has_decayed<T: Scalar, const N: usize>(matrix: &Columns<T, N, N>) -> Result<b
     Ok(T::epsilon().simd_gt(norm * norm).all())
 }
 
-fn is_finite<T: Scalar, const R: usize, const C: usize>(matrix: &SMatrix<T, R, C>) -> T::Mask {
-    matrix.iter().fold(Mask::splat(true), |all, entry| all & entry.is_finite())
+/// Fails if an entry of an argument is not finite.
+fn check_finite<T: Scalar, const R: usize, const C: usize>(
+    name: &'static str,
+    matrix: &SMatrix<T, R, C>,
+) -> Result<(), Error> {
+    if matrix.iter().all(|entry| entry.is_finite().all()) {
+        return Ok(());
+    }
+    Err(Error::NotFinite(origin::of_argument(name, matrix.as_slice())))
 }

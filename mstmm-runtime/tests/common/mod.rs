@@ -1,6 +1,7 @@
 //! Mechanical systems written by hand whose motion is known in closed form.
 #![allow(dead_code, reason = "each test uses a part")]
 
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::{Chain, ChainState, Error, Scalar};
 
 /// A state with `Q` coordinates and `V` rates.
@@ -67,6 +68,16 @@ impl<T: Scalar> Pendulum<T> {
     }
 }
 
+/// Returns the origin of the first value that is not finite.
+fn first_of<T: Scalar>([angle, rate, _]: [T; 3]) -> Origin {
+    let is_wrong = |value: T| !mstmm_runtime::Mask::all(value.is_finite());
+    match (is_wrong(angle), is_wrong(rate)) {
+        (true, _) => Origin::Coordinate(0),
+        (false, true) => Origin::Rate(0),
+        (false, false) => Origin::Input(0),
+    }
+}
+
 impl<T: Scalar> Chain for Pendulum<T> {
     type Scalar = T;
     type State = State<T, 1, 1>;
@@ -80,7 +91,7 @@ impl<T: Scalar> Chain for Pendulum<T> {
     ) -> Result<(), Error> {
         let ([angle], [speed]) = (state.q, state.v);
         if !mstmm_runtime::Mask::all(angle.is_finite() & speed.is_finite() & inputs.is_finite()) {
-            return Err(Error::NotFinite);
+            return Err(Error::NotFinite(first_of([angle, speed, *inputs])));
         }
         if mstmm_runtime::Mask::all(angle.simd_gt(self.singular_beyond)) {
             return Err(Error::Singular { hinge: "pivot" });

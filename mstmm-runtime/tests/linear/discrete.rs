@@ -1,6 +1,7 @@
 //! Discrete models against closed forms, and against dual numbers that go through the integrator.
 
 use crate::common::{Pendulum, Spring, State, Top};
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::linear::{DiscreteModel, Linearization, Linearize, discretize};
 use mstmm_runtime::nalgebra::{Matrix2, Matrix3, SMatrix, Vector1, Vector2, Vector3, Vector4};
 use mstmm_runtime::{Chain, Dual, Error, Rk4, Scalar};
@@ -252,11 +253,11 @@ fn a_model_with_a_quaternion_is_accurate_to_the_order_of_the_step() -> Result<()
 fn errors_are_those_of_the_chain() {
     let chain = Pendulum::new();
     let refused = discretize(&chain, &Pendulum::at(f64::NAN, 0.0), &0.0, 0.1);
-    assert_eq!(refused.err(), Some(Error::NotFinite));
+    assert_eq!(refused.err(), Some(Error::NotFinite(Origin::Coordinate(0))));
     let refused = discretize(&chain, &Pendulum::at(0.0, 0.0), &0.0, f64::NAN);
-    assert_eq!(refused.err(), Some(Error::NotFinite));
+    assert_eq!(refused.err(), Some(Error::NotFinite(Origin::Coordinate(0))));
     let refused = discretize(&chain, &Pendulum::at(0.0, 0.0), &0.0, 1e200);
-    assert_eq!(refused.err(), Some(Error::NotFinite));
+    assert_eq!(refused.err(), Some(Error::NotFinite(Origin::Result)));
     let chain = Pendulum { singular_beyond: 0.1 };
     let refused = discretize(&chain, &Pendulum::at(0.2, 0.0), &0.0, 0.1);
     assert_eq!(refused.err(), Some(Error::Singular { hinge: "pivot" }));

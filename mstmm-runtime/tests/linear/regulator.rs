@@ -2,6 +2,7 @@
 
 use super::{Random, converted};
 use mstmm_runtime::Error;
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::linear::{Lqr, lqr};
 use mstmm_runtime::nalgebra::{DMatrix, Matrix1, Matrix2, SMatrix, Vector2};
 
@@ -221,10 +222,13 @@ fn weights_and_matrices_are_checked() {
     }
     for wrong in [f64::NAN, f64::INFINITY] {
         let one = Matrix1::new(1.0);
-        assert_eq!(lqr(&(a * wrong), &b, &q, &one).err(), Some(Error::NotFinite));
-        assert_eq!(lqr(&a, &(b * wrong), &q, &one).err(), Some(Error::NotFinite));
-        assert_eq!(lqr(&a, &b, &(q * wrong), &one).err(), Some(Error::NotFinite));
-        assert_eq!(lqr(&a, &b, &q, &(one * wrong)).err(), Some(Error::NotFinite));
+        let of = |name, index| Some(Error::NotFinite(Origin::Argument { name, index }));
+        assert_eq!(lqr(&(a * wrong), &b, &q, &one).err(), of("a", 0));
+        assert_eq!(lqr(&a, &(b * wrong), &q, &one).err(), of("b", 0));
+        let mut last = q;
+        last[(1, 1)] = wrong;
+        assert_eq!(lqr(&a, &b, &last, &one).err(), of("q", 3));
+        assert_eq!(lqr(&a, &b, &q, &(one * wrong)).err(), of("r", 0));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use mstmm::description::Origin;
 use mstmm::{Chain, Error};
 use mstmm_formats::{Arm, ArmState, RopeState};
 
@@ -83,6 +84,10 @@ fn states_have_names_values_and_units() {
 fn errors_and_points_have_their_names() -> Result<(), Error> {
     let error = Error::Singular { hinge: "elbow" };
     assert_in_order(&logged(|| defmt::println!("{}", error)), &[b"elbow"]);
+    let error = Error::NotFinite(Origin::Coordinate(7));
+    assert_in_order(&logged(|| defmt::println!("{}", error)), &[&[7, 0, 0, 0]]);
+    let error = Error::NotFinite(Origin::Argument { name: "accelerations", index: 3 });
+    assert_in_order(&logged(|| defmt::println!("{}", error)), &[b"accelerations", &[3, 0, 0, 0]]);
     let error = Error::InvalidParameter { name: "payload", reason: "must be positive" };
     assert_in_order(&logged(|| defmt::println!("{}", error)), &[b"payload", b"must be positive"]);
 

@@ -195,6 +195,6 @@ impl Core {
             Arrays { rows: read.rows, states: read.states, inputs, given: read.given, results };
         let batch = Batch { chain: &*self.0, on_error: how.on_error, threads: how.threads };
         let result = py.detach(move || batch.run(work, arrays));
-        result.map_err(|failure| exception(of, &failure, read.states, inputs))
+        result.map_err(|failure| exception(of, &failure))
     }
 }

@@ -55,7 +55,7 @@ impl Recorder {
         let (states, record) = (slice(&x)?, &mut self.0);
         let frames = Frames { count, times: &times, states, inputs: given };
         let result = py.detach(move || record.record(frames));
-        result.map_err(|failure| exception(of, &failure, states, given))
+        result.map_err(|failure| exception(of, &failure))
     }
 
     fn len(&self) -> usize {

@@ -17,6 +17,10 @@ const ALLOCATIONS: [&str; 4] = ["__rust_alloc", "__rust_dealloc", "malloc", "all
 /// memory.
 const MOST_DATA: u64 = 64;
 
+/// The most instructions that a failed step searches for the value that is not finite: about five for each value of
+/// the state and the inputs, of which a case has up to 30.
+const MOST_SEARCH: u32 = 160;
+
 /// Parts of the names of functions that emulate double precision by integers.
 const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
 
@@ -79,7 +83,7 @@ impl Findings {
         self.require((run.fewest == run.most) != by_whole_numbers, || {
             format!("{name}: {} to {} instructions", run.fewest, run.most)
         });
-        self.require(by_whole_numbers || run.most_of_bad <= run.most, || {
+        self.require(by_whole_numbers || run.most_of_bad <= run.most + MOST_SEARCH, || {
             format!("{name}: {} instructions from a bad state", run.most_of_bad)
         });
     }

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::mem;
 
 use mstmm::Error;
+use mstmm::description::Origin;
 use nalgebra::{Matrix3, Vector3};
 
 use super::pose::{Joint, Placed, Pose, Real, crossing, exact, exact_vector};
@@ -35,7 +36,8 @@ pub fn accelerations(pose: &Pose, digits: usize) -> Result<Vec<Real>, Error> {
         equations.extend(cubes[k].position_constraints(inboard, k * UNKNOWNS, digits));
         equations.extend(cubes[k].rotation_constraints(inboard, k * UNKNOWNS, joint, digits));
     }
-    let solution = solve(equations, UNKNOWNS * cubes.len()).ok_or(Error::NotFinite)?;
+    let solution =
+        solve(equations, UNKNOWNS * cubes.len()).ok_or(Error::NotFinite(Origin::Result))?;
     let of_cube = |(cube, values): (&Cube, &[Real])| {
         let three = |at: usize| Vector3::from_fn(|row, _| values[at + row].clone());
         let (centre, angular) = (three(CENTRE), three(ROTATION));

@@ -31,7 +31,7 @@ pub fn load(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
     match argument {
         Argument::Coordinates => of_state(quote!(state_.q)),
         Argument::Rates => of_state(quote!(state_.v)),
-        Argument::Given(given) => of_state(self::given(given)),
+        Argument::Given(given) => of_state(self::given(given).1),
         Argument::Parameter(parameter) => {
             let field = &cx.chain.parameters[parameter.index()].name;
             let names = names(printer, into);
@@ -74,7 +74,7 @@ pub fn loop_input(
     match argument {
         Argument::Coordinates => slices(quote!(state_.q)),
         Argument::Rates => slices(quote!(state_.v)),
-        Argument::Given(given) => slices(self::given(given)),
+        Argument::Given(given) => slices(self::given(given).1),
         Argument::Slots(Some(part)) => slices(sealed::of_part(cx, &quote!(self), part)),
         Argument::Parameter(parameter) => {
             let field = &cx.chain.parameters[parameter.index()].name;
@@ -95,17 +95,17 @@ pub fn loop_input(
     }
 }
 
-/// Returns the vector that the caller gives.
-pub fn given(given: Given) -> TokenStream {
+/// Returns the name of the vector that the caller gives, and the vector.
+pub fn given(given: Given) -> (&'static str, TokenStream) {
     match given {
-        Given::Accelerations => quote!((*accelerations_)),
-        Given::Vector => quote!((*vector_)),
-        Given::DynamicParameters => quote!((*parameters_)),
+        Given::Accelerations => ("accelerations", quote!((*accelerations_))),
+        Given::Vector => ("vector", quote!((*vector_))),
+        Given::DynamicParameters => ("parameters", quote!((*parameters_))),
         Given::VirtualRates => bug!("virtual rates are not given"),
-        Given::CoordinateDirection => quote!(direction_.coordinates),
-        Given::RateDirection => quote!(direction_.rates),
-        Given::InputDirection => quote!(direction_.inputs),
-        Given::ParameterDirection => quote!(direction_.parameters),
+        Given::CoordinateDirection => ("direction.coordinates", quote!(direction_.coordinates)),
+        Given::RateDirection => ("direction.rates", quote!(direction_.rates)),
+        Given::InputDirection => ("direction.inputs", quote!(direction_.inputs)),
+        Given::ParameterDirection => ("direction.parameters", quote!(direction_.parameters)),
     }
 }
 

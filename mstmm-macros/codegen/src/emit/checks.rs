@@ -25,27 +25,29 @@ pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
             }
             ArrayRole::Argument(Argument::Coordinates) => {
                 vectors.extend(
-                    quote!(#mstmm::generated::check_finite_slice::<T>(state_.q.as_slice())?;),
+                    quote!(#mstmm::generated::check_finite_slice::<Self, T>(state_.q.as_slice(), state_, inputs_)?;),
                 );
             }
             ArrayRole::Argument(Argument::Rates) => {
                 vectors.extend(
-                    quote!(#mstmm::generated::check_finite_slice::<T>(state_.v.as_slice())?;),
+                    quote!(#mstmm::generated::check_finite_slice::<Self, T>(state_.v.as_slice(), state_, inputs_)?;),
                 );
             }
             // Unit vectors are finite.
             ArrayRole::Argument(argument) if printer.varying.is_factor(argument) => {}
             ArrayRole::Argument(Argument::Given(given)) => {
-                let vector = super::arguments::given(given);
+                let (name, vector) = super::arguments::given(given);
                 vectors.extend(
-                    quote!(#mstmm::generated::check_finite_slice::<T>(#vector.as_slice())?;),
+                    quote!(#mstmm::generated::check_argument::<T>(#name, #vector.as_slice())?;),
                 );
             }
             _ => bug!("only inputs, coordinates, rates and given vectors are tested first"),
         }
     }
     if !slices.is_empty() {
-        taken.extend(quote!(#mstmm::generated::check_finite::<T>(&[#(#slices),*])?;));
+        taken.extend(
+            quote!(#mstmm::generated::check_finite::<Self, T>(&[#(#slices),*], state_, inputs_)?;),
+        );
     }
     taken.extend(vectors);
     with_reset(printer.on_failure.as_ref(), taken)
@@ -85,6 +87,12 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
         }
     }
     let (mut numbers, mut columns, mut arrays) = (Vec::new(), Vec::new(), TokenStream::new());
+    let or_given: TokenStream = given(printer)
+        .map(|(name, vector)| {
+            let or_argument = quote!(or_argument::<T>(error_, #name, #vector.as_slice()));
+            quote!(.map_err(|error_| #mstmm::generated::#or_argument))
+        })
+        .collect();
     for witness in &check.finite {
         match witness {
             Witness::Value(value) if printer.varying.operand(value) => {
@@ -95,17 +103,21 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             // A long array is not passed by value.
             Witness::Array(array) => {
                 let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
-                arrays.extend(
-                    quote!(#mstmm::generated::check_finite_slice::<#scalar>(#result.as_slice())?;),
-                );
+                let check = quote!(check_finite_slice::<Self, #scalar>(#result.as_slice(), state_, inputs_));
+                arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
             }
         }
     }
     if !columns.is_empty() {
-        arrays.extend(quote!(#mstmm::generated::check_finite::<C>(&[&[#(#columns),*]])?;));
+        let check = quote!(check_finite::<Self, C>(&[&[#(#columns),*]], state_, inputs_));
+        arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
     }
     let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
-    let error = quote!(#mstmm::generated::pivot_error::<T, _>(&[#(#names),*], #values, #scales));
+    let pivot_error =
+        quote!(pivot_error::<Self, _>(&[#(#names),*], #values, #scales, state_, inputs_));
+    let error = given(printer).fold(quote!(#mstmm::generated::#pivot_error), |error, (name, vector)| {
+        quote!(#mstmm::generated::or_argument::<T>(#error, #name, #vector.as_slice()))
+    });
     let fail = match &printer.on_failure {
         None => quote!(return ::core::result::Result::Err(#error);),
         Some(reset) => quote! {
@@ -123,6 +135,15 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
         }
         #arrays
     }
+}
+
+/// Returns the vectors that the caller gives, each with its name. Unit vectors are finite.
+fn given(printer: &Printer) -> impl Iterator<Item = (&'static str, TokenStream)> {
+    printer.procedure.arrays.iter().filter_map(|array| match array.role {
+        ArrayRole::Argument(argument) if printer.varying.is_factor(argument) => None,
+        ArrayRole::Argument(Argument::Given(given)) => Some(super::arguments::given(given)),
+        _ => None,
+    })
 }
 
 /// Returns an entry of an argument, outside of repeated parts.
@@ -159,7 +180,7 @@ impl EmitContext<'_> {
         let each = quote! {
             for &item_ in &inputs_.#name {
                 #taken
-                #mstmm::generated::check_finite::<T>(&[#slice])?;
+                #mstmm::generated::check_finite::<Self, T>(&[#slice], state_, inputs_)?;
             }
         };
         (each, None)

@@ -9,6 +9,7 @@ use super::combine::{copy, start_plus_scaled, weighted_sum};
 use super::held::held_methods;
 use super::step_control::StepControl;
 use super::tableau::{B, D};
+use crate::description::Origin;
 use crate::{Chain, ChainState, Error, Scalar};
 use stiffness::Detector;
 use trial::Failure;
@@ -258,7 +259,7 @@ impl<C: Chain> Dopri5<C> {
         mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
     ) -> Result<(), E> {
         if !end.is_finite() {
-            return Err(Error::NotFinite.into());
+            return Err(Error::NotFinite(Origin::End).into());
         }
         chain.check_state(state)?;
         if state.time().max_lane() == end {

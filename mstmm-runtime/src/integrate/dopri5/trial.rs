@@ -2,10 +2,11 @@
 
 use super::stiffness::is_limited;
 use super::{Dopri5, Stages, Statistics};
+use crate::description::Origin;
 use crate::integrate::Real;
 use crate::integrate::ask::ask;
 use crate::integrate::combine::{
-    add_scaled, copy, has_finite_entries, is_finite, start_plus_scaled, weighted_sum,
+    add_scaled, copy, has_finite_entries, is_finite, not_finite, start_plus_scaled, weighted_sum,
 };
 use crate::integrate::step_control::{norm, power};
 use crate::integrate::tableau::{A2, A3, A4, A5, A6, ABSCISSAE, B, E};
@@ -46,11 +47,11 @@ impl<C: Chain> Dopri5<C> {
         copy(start, state);
         copy(end, state);
         if !is_finite(start) {
-            return Err(Error::NotFinite.into());
+            return Err(not_finite(start).into());
         }
         evaluate(chain, end, inputs, &mut self.statistics, first)?;
         if !has_finite_entries(first) {
-            return Err(Error::NotFinite.into());
+            return Err(Error::NotFinite(Origin::Result).into());
         }
         if self.control.step == zero {
             self.control.step = self.guess_first_step(chain, inputs, backwards)?;
@@ -143,7 +144,7 @@ impl<C: Chain> Dopri5<C> {
             self.statistics.rejected = self.statistics.rejected.saturating_add(1);
             let error = outcome.map_or(Real::<C>::constant(f64::INFINITY), |(error, _)| error);
             self.control.reject(start, size, error).map_err(|too_small| match outcome {
-                Ok(_) | Err(Error::NotFinite) => too_small,
+                Ok(_) | Err(Error::NotFinite(_)) => too_small,
                 Err(other) => other,
             })?;
         }
@@ -182,7 +183,7 @@ impl<C: Chain> Dopri5<C> {
         chain.project(state, |state| ask(chain, inputs, time, state).map_err(Failure::Inputs))?;
         evaluate(chain, state, inputs, count, k7)?;
         if !is_finite(state) {
-            return Err(Error::NotFinite.into());
+            return Err(not_finite(state).into());
         }
         let limited = is_limited([k1, k2, k3, k4, k5, k6, k7]);
         weighted_sum(k2, E.map(|e| step * C::Scalar::constant(e)), [k1, k3, k4, k5, k6, k7]);

@@ -1,16 +1,16 @@
 //! Products with several vectors at a time, of which the matrices of long chains are made.
 
-use super::super::EmitContext;
 use super::super::arrays::usize_literal;
 use super::super::names::helper;
 use super::super::printer::Destination;
 use super::super::procedure::body;
+use super::super::{EmitContext, arguments};
 use super::{fallible, of_state_and_inputs};
 use crate::compile::{layouts, outputs};
 use crate::model::{Answer, Request};
-use crate::program::OutputId;
+use crate::program::{Given, OutputId};
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// Returns whether the chain has a product with several vectors at a time: one that a matrix is computed by.
 pub(super) fn is_used(cx: &EmitContext, answer: Answer) -> bool {
@@ -96,20 +96,28 @@ fn product(cx: &EmitContext, answer: Answer) -> TokenStream {
 /// the method for several columns omits.
 pub(super) fn of_one_vector(cx: &EmitContext, answer: Answer) -> TokenStream {
     let (mstmm, name) = (&cx.mstmm, name(answer));
-    let check = |vector: TokenStream| quote!(#mstmm::generated::check_finite_slice::<T>(#vector.as_slice())?;);
-    let (checks, arguments) = match answer {
+    let check = |given| {
+        let (name, vector) = arguments::given(given);
+        quote!(#mstmm::generated::check_argument::<T>(#name, #vector.as_slice())?;)
+    };
+    let (checks, arguments): (TokenStream, _) = match answer {
         Answer::Push => {
-            let fields = ["coordinates", "rates", "inputs", "parameters"];
-            let fields = fields.map(|field| format_ident!("{field}"));
-            let checks = fields.iter().map(|field| check(quote!(direction_.#field))).collect();
-            (checks, quote!(direction_, accelerations_, change_))
+            let direction = [
+                Given::CoordinateDirection,
+                Given::RateDirection,
+                Given::InputDirection,
+                Given::ParameterDirection,
+            ];
+            (
+                direction.map(check).into_iter().collect(),
+                quote!(direction_, accelerations_, change_),
+            )
         }
         Answer::RegressorTimes => {
-            (check(quote!(parameters_)), quote!(accelerations_, parameters_, product_))
+            (check(Given::DynamicParameters), quote!(accelerations_, parameters_, product_))
         }
-        _ => (check(quote!(vector_)), quote!(vector_, product_)),
+        _ => (check(Given::Vector), quote!(vector_, product_)),
     };
-    let checks: TokenStream = checks;
     quote! {
         #checks
         self.#name::<T>(state_, inputs_, #arguments)?;
