@@ -249,7 +249,11 @@ pub struct BodyFrame {
 /// ```
 pub trait Answers: Described {
     /// The number of dynamic parameters: the columns of the regressor; zero without the answer `regressor`.
-    const DYNAMIC_PARAMETERS: usize;
+    const DYNAMIC_PARAMETERS: usize = 0;
+
+    /// The answers of the chain; for generated code.
+    #[doc(hidden)]
+    const ANSWERS_: &'static [Answer] = &[];
 
     /// The frames of a body, by the rows of the table of bodies; for generated code.
     #[doc(hidden)]
@@ -266,11 +270,16 @@ pub trait Answers: Described {
         inputs: &Self::Inputs,
         given: &[Self::Scalar],
         result: &mut [Self::Scalar],
-    ) -> Option<Result<(), Error>>;
+    ) -> Option<Result<(), Error>> {
+        let _ = (answer, state, inputs, given, result);
+        None
+    }
 
     /// Returns whether the chain has an answer.
     #[must_use]
-    fn has(answer: Answer) -> bool;
+    fn has(answer: Answer) -> bool {
+        Self::ANSWERS_.contains(&answer)
+    }
 
     /// Returns the names of the frames of a body by its index in [`Description::bodies`]: `input`, `output`, `com` and the
     /// named points, as far as the body has them. Empty if there is no such body.
@@ -311,5 +320,8 @@ pub trait Answers: Described {
         inputs: &Self::Inputs,
         frame: [usize; 3],
         jacobian: &mut [Self::Scalar],
-    ) -> Option<Result<FrameMotion<Self::Scalar>, Error>>;
+    ) -> Option<Result<FrameMotion<Self::Scalar>, Error>> {
+        let _ = (state, inputs, frame, jacobian);
+        None
+    }
 }

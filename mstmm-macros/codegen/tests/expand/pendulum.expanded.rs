@@ -183,9 +183,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         ) {
             return ::core::result::Result::Err(
                 ::mstmm::generated::pivot_error::<
-                    T,
+                    Self,
                     _,
-                >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]),
+                >(
+                    &["joint"],
+                    [known_rod_inertia_yy_],
+                    [known_joint_d_scale_],
+                    state_,
+                    inputs_,
+                ),
             );
         }
         accelerations_.data.0 = [[joint_acc_ang_z_]];
@@ -265,9 +271,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
             [state_.t, state_.v.data.0[0][0], joint_acc_ang_z_],
         ) {
             let error_ = ::mstmm::generated::pivot_error::<
-                T,
+                Self,
                 _,
-            >(&["joint"], [known_rod_inertia_yy_], [known_joint_d_scale_]);
+            >(
+                &["joint"],
+                [known_rod_inertia_yy_],
+                [known_joint_d_scale_],
+                state_,
+                inputs_,
+            );
             ::mstmm::generated::reset(at_, || self.workspace());
             return ::core::result::Result::Err(error_);
         }
@@ -776,38 +788,9 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
 }
 #[allow(clippy::all, unused_imports, unused_variables)]
 impl<T: ::mstmm::Scalar> ::mstmm::Answers for Pendulum<T> {
-    const DYNAMIC_PARAMETERS: ::core::primitive::usize = 0;
     const FRAMES_: &'static [&'static [&'static ::core::primitive::str]] = &[
         &["input", "com"],
     ];
-    fn answer(
-        &self,
-        answer_: ::mstmm::description::Answer,
-        state_: &PendulumState<T>,
-        inputs_: &PendulumInputs<T>,
-        given_: &[T],
-        result_: &mut [T],
-    ) -> ::core::option::Option<::core::result::Result<(), ::mstmm::Error>> {
-        use ::mstmm::generated::answers::*;
-        match answer_ {
-            _ => ::core::option::Option::None,
-        }
-    }
-    fn has(answer_: ::mstmm::description::Answer) -> ::core::primitive::bool {
-        use ::mstmm::generated::answers::*;
-        false
-    }
-    fn motion_(
-        &self,
-        state_: &PendulumState<T>,
-        inputs_: &PendulumInputs<T>,
-        frame_: [::core::primitive::usize; 3],
-        jacobian_: &mut [T],
-    ) -> ::core::option::Option<
-        ::core::result::Result<::mstmm::FrameMotion<T>, ::mstmm::Error>,
-    > {
-        ::core::option::Option::None
-    }
 }
 impl<T: ::mstmm::Scalar> ::mstmm::generated::ParameterRows<T> for PendulumParameters<T> {
     fn row_(&self, row_: ::core::primitive::usize) -> &[T] {

@@ -15,25 +15,18 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let arms = arms(cx);
     let (variants, values): (Vec<_>, Vec<_>) =
         arms.iter().map(|(name, value)| (name, value)).unzip();
-    let has = match variants.as_slice() {
-        [] => quote!(false),
-        _ => quote!(::core::matches!(answer_, #(Answer_::#variants)|*)),
-    };
-    let columns = match cx.chain.requests.contains(&Request::Regressor) {
-        true => layouts::dynamic_parameters(cx.chain).total,
-        false => 0,
-    };
-    let columns = usize_literal(columns);
+    let columns = cx.chain.requests.contains(&Request::Regressor).then(|| {
+        let columns = usize_literal(layouts::dynamic_parameters(cx.chain).total);
+        quote!(const DYNAMIC_PARAMETERS: ::core::primitive::usize = #columns;)
+    });
     let frames = cx.chain.physical_bodies().map(|id| {
         let names = frames(&cx.chain.bodies[id]).into_iter().map(|(name, _)| name);
         quote!(&[#(#names),*])
     });
-    let (frame, motion) = motion(cx);
-    quote! {
-        #[allow(clippy::all, unused_imports, unused_variables)]
-        impl<T: #mstmm::Scalar> #mstmm::Answers for #name<T> {
-            const DYNAMIC_PARAMETERS: ::core::primitive::usize = #columns;
-            const FRAMES_: &'static [&'static [&'static ::core::primitive::str]] = &[#(#frames),*];
+    let answer = (!arms.is_empty()).then(|| {
+        quote! {
+            const ANSWERS_: &'static [#mstmm::description::Answer] =
+                &[#(#mstmm::description::Answer::#variants),*];
             fn answer(
                 &self,
                 answer_: #mstmm::description::Answer,
@@ -48,21 +41,17 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                     _ => ::core::option::Option::None,
                 }
             }
-            fn has(answer_: #mstmm::description::Answer) -> ::core::primitive::bool {
-                use #mstmm::generated::answers::*;
-                #has
-            }
-            fn motion_(
-                &self,
-                state_: &#state<T>,
-                inputs_: &#inputs<T>,
-                frame_: [::core::primitive::usize; 3],
-                jacobian_: &mut [T],
-            ) -> ::core::option::Option<
-                ::core::result::Result<#mstmm::FrameMotion<T>, #mstmm::Error>,
-            > {
-                #motion
-            }
+        }
+    });
+    let (frame, motion) =
+        cx.compiled.find(Answer::Kinematics).map(|_| motion(cx)).unwrap_or_default();
+    quote! {
+        #[allow(clippy::all, unused_imports, unused_variables)]
+        impl<T: #mstmm::Scalar> #mstmm::Answers for #name<T> {
+            #columns
+            const FRAMES_: &'static [&'static [&'static ::core::primitive::str]] = &[#(#frames),*];
+            #answer
+            #motion
         }
         #frame
     }
@@ -273,12 +262,10 @@ pub fn frames(body: &Body) -> Vec<(String, proc_macro2::Ident)> {
     common.chain(named).collect()
 }
 
-/// Returns the method that finds a frame in the kinematics, and the code that computes its motion.
+/// Returns the method that finds a frame in the kinematics, and the method that computes its motion.
 fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
-    if cx.compiled.find(Answer::Kinematics).is_none() {
-        return (TokenStream::new(), quote!(::core::option::Option::None));
-    }
     let mstmm = &cx.mstmm;
+    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
     let (name, kinematics) = (&cx.names.chain, &cx.names.kinematics);
     let point = point_type(cx, &quote!('_));
     let bodies: Vec<BodyId> = cx.chain.physical_bodies().collect();
@@ -320,19 +307,27 @@ fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
         }
     };
     let motion = quote! {
-        let mut at_ = <#kinematics<T> as ::core::default::Default>::default();
-        if let ::core::result::Result::Err(error_) =
-            self.kinematics_into(state_, inputs_, &mut at_)
-        {
-            return ::core::option::Option::Some(::core::result::Result::Err(error_));
+        fn motion_(
+            &self,
+            state_: &#state<T>,
+            inputs_: &#inputs<T>,
+            frame_: [::core::primitive::usize; 3],
+            jacobian_: &mut [T],
+        ) -> ::core::option::Option<::core::result::Result<#mstmm::FrameMotion<T>, #mstmm::Error>> {
+            let mut at_ = <#kinematics<T> as ::core::default::Default>::default();
+            if let ::core::result::Result::Err(error_) =
+                self.kinematics_into(state_, inputs_, &mut at_)
+            {
+                return ::core::option::Option::Some(::core::result::Result::Err(error_));
+            }
+            let point_ = Self::frame_(&at_, frame_)?;
+            if !jacobian_.is_empty() {
+                #jacobian;
+            }
+            ::core::option::Option::Some(::core::result::Result::Ok(
+                ::core::convert::From::from(point_),
+            ))
         }
-        let point_ = Self::frame_(&at_, frame_)?;
-        if !jacobian_.is_empty() {
-            #jacobian;
-        }
-        ::core::option::Option::Some(::core::result::Result::Ok(
-            ::core::convert::From::from(point_),
-        ))
     };
     (frame, motion)
 }
