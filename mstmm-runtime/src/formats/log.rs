@@ -4,9 +4,10 @@ use defmt::{Format, Formatter, write};
 
 use super::labels::{Label, TIME};
 use super::listing::Listing;
-use super::point_tables::shown;
+use super::point_tables::{Shown, shown, shown_of_body};
+use super::table::Row;
 use crate::description::{Name, Origin};
-use crate::point::{LinePoint, PlanePoint, Point, Results};
+use crate::point::{BodyPoint, LinePoint, PlanePoint, Point, Results};
 use crate::{Error, Scalar};
 
 impl<T: Scalar + Format, const N: usize> Format for Listing<T, N> {
@@ -44,18 +45,33 @@ impl Format for Name {
     }
 }
 
-/// Implements the trait for connection points.
+/// Writes rows with their units.
+fn write_rows<'a, T: Format + 'a>(
+    f: Formatter<'_>,
+    rows: impl Iterator<Item = Row<'a, &'static str, T>>,
+) {
+    let mut separator = "";
+    for row in rows {
+        write!(f, "{=str}{=str} {=[?]} {=str}", separator, row.label, row.values, row.unit);
+        separator = ", ";
+    }
+}
+
+/// Implements the trait for connection points and for points of bodies.
 macro_rules! points {
     ($($point:ident)*) => { $(
         impl<T: Format, const P: bool, const V: bool, const Z: bool> Format
             for $point<T, Results<P, V, Z>>
         {
             fn format(&self, f: Formatter<'_>) {
-                let mut separator = "";
-                for row in shown(&self.rows(), [P, V, Z]) {
-                    write!(f, "{=str}{=str} {=[?]} {=str}", separator, row.label, row.values, row.unit);
-                    separator = ", ";
-                }
+                write_rows(f, shown(&self.rows(), [P, V, Z]));
+            }
+        }
+        impl<T: Scalar + Format, const P: bool, const V: bool, const Z: bool> Format
+            for BodyPoint<$point<T, Results<P, V, Z>>>
+        {
+            fn format(&self, f: Formatter<'_>) {
+                write_rows(f, shown_of_body(&self.motion().rows(), Self::SHOWN));
             }
         }
     )* };

@@ -3,7 +3,8 @@
 use core::fmt;
 
 use super::table::{self, Row, Show};
-use crate::point::{Group, LinePoint, PlanePoint, Point, PointRow, Results};
+use crate::Scalar;
+use crate::point::{BodyPoint, Group, LinePoint, PlanePoint, Point, PointRow, Results};
 
 /// Returns the rows of the results that a point has.
 pub fn shown<'a, T>(
@@ -54,3 +55,57 @@ macro_rules! tables {
 }
 
 tables! { Point PlanePoint LinePoint }
+
+/// Returns the rows of a point of a body that its chain has the results for; `has` omits the last rows, of force and
+/// moment.
+pub fn shown_of_body<'a, T>(
+    rows: &'a [PointRow<'a, T>],
+    has: &'a [bool],
+) -> impl Iterator<Item = Row<'a, &'static str, T>> {
+    let rows = rows.iter().zip(has).filter(|(_, has)| **has);
+    rows.map(|(&(_, label, values, unit), _)| Row::of(label, values, unit))
+}
+
+/// Which rows of a point of a body its chain has the results for: its velocity needs the pose of the body, its acceleration
+/// all results.
+pub trait Shown {
+    /// Whether the chain has each row of motion.
+    const SHOWN: &'static [bool];
+}
+
+/// Implements the traits for points of bodies, each with the results that its rows need.
+macro_rules! tables_of_bodies {
+    ($($point:ident($poses:ident, $velocities:ident, $z:ident): [$($has:expr),*];)*) => { $(
+        impl<T, const $poses: bool, const $velocities: bool, const $z: bool> Shown
+            for BodyPoint<$point<T, Results<$poses, $velocities, $z>>>
+        {
+            const SHOWN: &'static [bool] = &[$($has),*];
+        }
+        /// Shows its motion as a table with units, as the tables of connection points, in the inertial frame.
+        impl<T: Scalar + fmt::Display, const P: bool, const V: bool, const Z: bool> fmt::Display
+            for BodyPoint<$point<T, Results<P, V, Z>>>
+        {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let point = self.motion();
+                let rows = point.rows();
+                table::write(f, <T as fmt::Display>::fmt, || shown_of_body(&rows, Self::SHOWN))
+            }
+        }
+        /// Shows the same table as [`Display`](fmt::Display), with powers of ten.
+        impl<T: Scalar + fmt::LowerExp, const P: bool, const V: bool, const Z: bool> fmt::LowerExp
+            for BodyPoint<$point<T, Results<P, V, Z>>>
+        {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                let point = self.motion();
+                let rows = point.rows();
+                table::write(f, <T as fmt::LowerExp>::fmt, || shown_of_body(&rows, Self::SHOWN))
+            }
+        }
+    )* };
+}
+
+tables_of_bodies! {
+    Point(P, V, Z): [P, P, P, P, P && V, V, P && V && Z, Z];
+    PlanePoint(P, V, Z): [P, P, P && V, V, P && V && Z, Z];
+    LinePoint(P, V, Z): [P, V, Z];
+}

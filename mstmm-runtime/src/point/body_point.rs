@@ -2,7 +2,10 @@
 
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 
-use super::{ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint, PlanePoint, Point};
+use super::{
+    ConnectionPoint, HasPoses, HasVelocities, HasZ, LinePoint, LineStateVector, PlanePoint,
+    PlaneStateVector, Point, StateVector,
+};
 use crate::Scalar;
 
 /// A point fixed in a body: its centre of mass, or a named point.
@@ -34,13 +37,34 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.rotation.map(along)
     }
 
+    /// Returns a connection point with the motion of this point, without force and moment. Results that the chain omits
+    /// are arbitrary.
+    #[inline]
+    pub(crate) fn motion(&self) -> Point<T> {
+        let Point { position, rotation, velocity, angular_velocity: omega, z, .. } = self.input;
+        let arm = self.arm();
+        let angular_acceleration = z.angular_acceleration().into();
+        let tangential = cross(angular_acceleration, arm);
+        let centripetal = cross(omega, cross(omega, arm));
+        let acceleration =
+            z.acceleration() + Vector3::from(tangential) + Vector3::from(centripetal);
+        let none = [T::default(); 3];
+        Point::new(
+            (Vector3::from(position) + Vector3::from(arm)).into(),
+            rotation,
+            (Vector3::from(velocity) + Vector3::from(cross(omega, arm))).into(),
+            omega,
+            StateVector::new(acceleration.into(), angular_acceleration, none, none),
+        )
+    }
+
     /// Returns the position r = r_I + A r′ in m from the inertial origin.
     #[inline]
     pub fn position(&self) -> Vector3<T>
     where
         R: HasPoses,
     {
-        self.input.position() + Vector3::from(self.arm())
+        Vector3::from(self.motion().position)
     }
 
     /// Returns the rotation A that takes components in the body frame to inertial components.
@@ -58,8 +82,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     where
         R: HasPoses + HasVelocities,
     {
-        let relative = cross(self.input.angular_velocity, self.arm());
-        self.input.velocity() + Vector3::from(relative)
+        Vector3::from(self.motion().velocity)
     }
 
     /// Returns the body's angular velocity Ω in rad/s.
@@ -77,10 +100,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     where
         R: HasPoses + HasVelocities + HasZ,
     {
-        let (arm, omega) = (self.arm(), self.input.angular_velocity);
-        let tangential = cross(self.input.z.angular_acceleration().into(), arm);
-        let centripetal = cross(omega, cross(omega, arm));
-        self.input.acceleration() + Vector3::from(tangential) + Vector3::from(centripetal)
+        self.motion().z.acceleration()
     }
 
     /// Returns the body's angular acceleration Ω̇ in rad/s².
@@ -101,13 +121,31 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
     }
 
+    /// Returns a connection point with the motion of this point, without force and moment. Results that the chain omits
+    /// are arbitrary.
+    #[inline]
+    pub(crate) fn motion(&self) -> PlanePoint<T> {
+        let PlanePoint { position, cos_sin, velocity, angular_velocity: omega, z, .. } = self.input;
+        let (arm, angular_acceleration) = (self.arm(), z.angular_acceleration());
+        let tangential = across(arm) * angular_acceleration;
+        let acceleration = z.acceleration() + tangential - arm * (omega * omega);
+        let none = T::default();
+        PlanePoint::new(
+            (Vector2::from(position) + arm).into(),
+            cos_sin,
+            (Vector2::from(velocity) + across(arm) * omega).into(),
+            omega,
+            PlaneStateVector::new(acceleration.into(), angular_acceleration, none, [none; 2]),
+        )
+    }
+
     /// Returns the position r = r_I + A r′ in m from the inertial origin.
     #[inline]
     pub fn position(&self) -> Vector2<T>
     where
         R: HasPoses,
     {
-        self.input.position() + self.arm()
+        Vector2::from(self.motion().position)
     }
 
     /// Returns the rotation A that takes components in the body frame to inertial components.
@@ -134,7 +172,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
     where
         R: HasPoses + HasVelocities,
     {
-        self.input.velocity() + across(self.arm()) * self.input.angular_velocity
+        Vector2::from(self.motion().velocity)
     }
 
     /// Returns the body's angular velocity Ω_z in rad/s.
@@ -152,9 +190,7 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
     where
         R: HasPoses + HasVelocities + HasZ,
     {
-        let (arm, omega) = (self.arm(), self.input.angular_velocity);
-        let tangential = across(arm) * self.input.z.angular_acceleration();
-        self.input.acceleration() + tangential - arm * (omega * omega)
+        self.motion().z.acceleration()
     }
 
     /// Returns the body's angular acceleration Ω̇_z in rad/s².
@@ -168,14 +204,22 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
 }
 
 impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
+    /// Returns a connection point with the motion of this point, without force. Results that the chain omits are
+    /// arbitrary.
+    #[inline]
+    pub(crate) fn motion(&self) -> LinePoint<T> {
+        let ([place], LinePoint { position, velocity, z, .. }) = (self.place, &self.input);
+        let z = LineStateVector::new(z.acceleration(), T::default());
+        LinePoint::new(*position + place, *velocity, z)
+    }
+
     /// Returns the position x in m, from the inertial frame's origin.
     #[inline]
     pub fn position(&self) -> T
     where
         R: HasPoses,
     {
-        let [place] = self.place;
-        self.input.position() + place
+        self.motion().position
     }
 
     /// Returns the velocity ẋ in m/s, that of all points of the body.

@@ -61,8 +61,25 @@ mstmm::mstmm_chain! {
     /// A weight on a spring, along a line, without inputs and parameters.
     pub line chain Weight {
         gravity = -9.81 m/s^2;
-        body Block { mass = 1 kg; }
+        body Block { mass = 1 kg; point top = 0.5 m; }
         ground -> slider hold -> Block block;
         hinge hold { stiffness = 100 N/m; }
+    }
+}
+
+mstmm::mstmm_chain! {
+    /// A rod on a hub, without gravity.
+    pub plane chain Swing {
+        body Rod { mass = 1 kg; com = [0.5, 0] m; inertia = 0.1 kg*m^2 about com; point tip = [1, 0] m; }
+        ground -> pin hub -> Rod rod;
+    }
+}
+
+mstmm::mstmm_chain! {
+    /// The same rod, with poses as its only results.
+    pub plane chain Poses {
+        results = poses;
+        body Rod { mass = 1 kg; com = [0.5, 0] m; inertia = 0.1 kg*m^2 about com; point tip = [1, 0] m; }
+        ground -> pin hub -> Rod rod;
     }
 }

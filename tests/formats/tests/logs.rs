@@ -95,6 +95,11 @@ fn errors_and_points_have_their_names() -> Result<(), Error> {
     let (state, mut at) = (ArmState::default(), arm.workspace());
     arm.check_state(&state)?;
     arm.solve_into(&state, &arm.no_inputs(), &mut at)?;
+    let tool = at.lower().tool();
+    let bytes = logged(|| defmt::println!("{}", tool));
+    let speed = tool.velocity().z.to_le_bytes();
+    assert_in_order(&bytes, &[b"position", b"velocity", &speed, b"m/s", b"angular acceleration"]);
+    assert!(!bytes.windows(5).any(|window| window == b"force"));
     let point = at.lower().input();
     let bytes = logged(|| defmt::println!("{}", point));
     let (position, moment) = (point.position(), point.moment());

@@ -1,6 +1,6 @@
 //! `Display`: tables with names, aligned values and units.
 
-use mstmm_formats::{Arm, ArmState, Rope, RopeState, Weight, WeightState};
+use mstmm_formats::{Arm, ArmState, Poses, Rope, RopeState, Swing, Weight, WeightState};
 
 #[test]
 fn states_are_tables() {
@@ -101,5 +101,81 @@ fn points_in_space_are_tables() -> Result<(), mstmm::Error> {
         assert_eq!(line, format!("{label:20}{x}{y}{z}{unit}"), "{text}");
     }
     assert!(point.force().norm() > 1.0 && point.moment().norm() > 1.0);
+    Ok(())
+}
+
+/// The tables of points of bodies have the lines of connection points without force and moment, and what the accessors say.
+#[test]
+fn points_of_bodies_in_space_are_tables() -> Result<(), mstmm::Error> {
+    let arm = Arm::<f64>::new();
+    let mut state = arm.initial_state();
+    state.shoulder_mut().set_rate(1.5);
+    let mut at = arm.workspace();
+    arm.solve_into(&state, &arm.no_inputs(), &mut at)?;
+    let (tool, input) = (at.lower().tool(), at.lower().input());
+    let [x, y, z] = input.orientation().matrix().row_iter().map(|row| row.transpose()).collect::<Vec<_>>()[..]
+    else {
+        panic!("three rows")
+    };
+    let expected = [
+        ("position", tool.position(), " m"),
+        ("orientation", x, ""),
+        ("", y, ""),
+        ("", z, ""),
+        ("velocity", tool.velocity(), " m/s"),
+        ("angular velocity", tool.angular_velocity(), " rad/s"),
+        ("acceleration", tool.acceleration(), " m/s^2"),
+        ("angular acceleration", tool.angular_acceleration(), " rad/s^2"),
+    ];
+    let text = format!("{tool:.3}");
+    assert_eq!(text.lines().count(), expected.len(), "{text}");
+    for (line, (label, value, unit)) in text.lines().zip(&expected) {
+        let words: Vec<String> = value.iter().map(|value| format!("{value:.3}")).collect();
+        let found: Vec<&str> = line[label.len()..].trim_end_matches(unit).split_whitespace().collect();
+        assert!(line.starts_with(label) && line.ends_with(unit), "{text}");
+        assert_eq!(found, words, "{text}");
+    }
+    assert!((tool.velocity() - input.velocity()).norm() > 0.1);
+    assert!((tool.acceleration() - input.acceleration()).norm() > 0.1);
+    Ok(())
+}
+
+/// A rod that rotates at 2 rad/s about its end, without weight: its tip has the speed 2 m/s and the acceleration 4 m/s².
+#[test]
+fn points_of_bodies_in_the_plane_and_on_a_line_are_tables() -> Result<(), mstmm::Error> {
+    let swing = Swing::<f64>::new();
+    let mut state = swing.initial_state();
+    state.hub_mut().set_rate(2.0);
+    let mut at = swing.workspace();
+    swing.solve_into(&state, &swing.no_inputs(), &mut at)?;
+    let expected = "\
+position               1.0   0.0 m
+cosine and sine        1.0   0.0
+velocity               0.0   2.0 m/s
+angular velocity       2.0 rad/s
+acceleration          -4.0   0.0 m/s^2
+angular acceleration   0.0 rad/s^2";
+    assert_eq!(format!("{:.1}", at.rod().tip()), expected);
+    let exponents = format!("{:.0e}", at.rod().tip());
+    assert!(exponents.starts_with("position               1e0   0e0 m\n"), "{exponents}");
+
+    let weight = Weight::<f64>::new();
+    let mut state = weight.initial_state();
+    state.hold_mut().set_position(0.1).set_velocity(-3.0);
+    let mut at = weight.workspace();
+    weight.solve_into(&state, &weight.no_inputs(), &mut at)?;
+    let expected = "position        0.60 m\nvelocity       -3.00 m/s\nacceleration  -19.81 m/s^2";
+    assert_eq!(format!("{:.2}", at.block().top()), expected);
+    Ok(())
+}
+
+/// A chain whose results are poses has no other lines.
+#[test]
+fn omitted_results_of_points_of_bodies_have_no_lines() -> Result<(), mstmm::Error> {
+    let poses = Poses::<f64>::new();
+    let mut at = poses.workspace();
+    poses.solve_into(&poses.initial_state(), &poses.no_inputs(), &mut at)?;
+    let expected = "position         1.0  0.0 m\ncosine and sine  1.0  0.0";
+    assert_eq!(format!("{:.1}", at.rod().tip()), expected);
     Ok(())
 }
