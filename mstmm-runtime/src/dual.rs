@@ -238,6 +238,7 @@ impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
     type Mask = T::Mask;
     type Real = T::Real;
     type Columns = Self;
+    type Pack = Self;
 
     const LANES: usize = T::LANES;
 

@@ -8,6 +8,7 @@ pub mod description;
 mod formats;
 mod linkage;
 mod not_asked;
+mod packs;
 
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
@@ -24,6 +25,7 @@ pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternion
 pub use columns::columns;
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
+pub use packs::{lane, pack};
 
 #[cfg(feature = "approx")]
 pub use approx;

@@ -31,6 +31,14 @@
 //! }
 //! ```
 //!
+//! # Limbs of one shape
+//!
+//! With lanes a single state of `f32` or `f64` is faster, too, if a robot has limbs of one shape: branches that leave the
+//! same body over hinges of the same kinds, such as two arms or four mirrored legs. Up to four limbs are computed side by
+//! side, one in each lane of [`Scalar::Pack`]. The results are the same, bit for bit except for the sign of zeros. With
+//! AVX-512 the accelerations of a quadruped with 18 degrees of freedom cost 0.72, those of a humanoid with 35 degrees of
+//! freedom 0.67 of the time without lanes. Parts under `repeat` are computed one after the other.
+//!
 //! # Lanes that are wider than the registers
 //!
 //! All lanes of `wide` are scalars on all targets, so a chain of `f64x8` compiles everywhere. Without AVX-512 a value
@@ -104,6 +112,7 @@ macro_rules! lanes {
             type Mask = $lanes;
             type Real = $real;
             type Columns = Self;
+            type Pack = Self;
 
             const LANES: usize = [$($number),*].len();
 
@@ -274,6 +283,11 @@ macro_rules! lanes {
             #[inline]
             fn values(self) -> impl Iterator<Item = $real> {
                 self.to_array().into_iter()
+            }
+
+            #[inline]
+            fn column(self, column: usize) -> $real {
+                self.as_array().get(column).copied().unwrap_or_default()
             }
         }
 

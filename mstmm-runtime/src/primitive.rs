@@ -6,7 +6,7 @@ use crate::trig;
 /// Implements [`Scalar`] for a primitive: everything but sine, cosine, angle and square root
 /// reads the same for all of them.
 macro_rules! primitive {
-    ($real:ident, $lanes:ident, $sin_cos:path, $atan2:path, $libm_sqrt:path) => {
+    ($real:ident, $lanes:ident, $pack:ident, $sin_cos:path, $atan2:path, $libm_sqrt:path) => {
         impl Scalar for $real {
             type Mask = bool;
             type Real = $real;
@@ -14,6 +14,10 @@ macro_rules! primitive {
             type Columns = crate::lanes::$lanes;
             #[cfg(not(feature = "wide"))]
             type Columns = $real;
+            #[cfg(feature = "wide")]
+            type Pack = wide::$pack;
+            #[cfg(not(feature = "wide"))]
+            type Pack = $real;
 
             #[inline(always)]
             fn constant(value: f64) -> Self {
@@ -105,5 +109,19 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32, NativeF32, trig::sin_cos::single::sin_cos, trig::atan2::single::atan2, libm::sqrtf);
-primitive!(f64, NativeF64, trig::sin_cos::double::sin_cos, trig::atan2::double::atan2, libm::sqrt);
+primitive!(
+    f32,
+    NativeF32,
+    f32x4,
+    trig::sin_cos::single::sin_cos,
+    trig::atan2::single::atan2,
+    libm::sqrtf
+);
+primitive!(
+    f64,
+    NativeF64,
+    f64x4,
+    trig::sin_cos::double::sin_cos,
+    trig::atan2::double::atan2,
+    libm::sqrt
+);

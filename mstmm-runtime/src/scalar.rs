@@ -60,6 +60,13 @@ pub trait Scalar:
     /// itself.
     type Columns: Columns<Self>;
 
+    /// The type of packs: values of limbs of one shape, such as the legs of a robot, are computed side by side, one in
+    /// each of its four columns.
+    ///
+    /// For `f32` and `f64` these are four lanes of the feature `wide`. A type with a single column, such as itself,
+    /// computes one limb after the other.
+    type Pack: Columns<Self>;
+
     /// The number of lanes: a chain of this scalar type computes as many states at once.
     const LANES: usize = 1;
 
@@ -167,6 +174,15 @@ pub trait Columns<T>: Scalar {
 
     /// Iterates over the values of the columns.
     fn values(self) -> impl Iterator<Item = T>;
+
+    /// Returns the value of a column; of a column that is not there, the default value.
+    #[inline(always)]
+    fn column(self, column: usize) -> T
+    where
+        T: Scalar,
+    {
+        self.values().nth(column).unwrap_or_default()
+    }
 }
 
 impl<T: Scalar> Columns<T> for T {

@@ -74,6 +74,7 @@ impl Scalar for Pair {
     type Mask = PairMask;
     type Real = f64;
     type Columns = Self;
+    type Pack = Self;
     const LANES: usize = 2;
 
     fn constant(value: f64) -> Self {

@@ -75,6 +75,7 @@ impl Scalar for Counted {
     type Mask = bool;
     type Real = Self;
     type Columns = Self;
+    type Pack = Self;
 
     fn constant(value: f64) -> Self {
         Self(value)

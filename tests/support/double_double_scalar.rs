@@ -11,6 +11,7 @@ impl Scalar for DoubleDouble {
     type Mask = bool;
     type Real = Self;
     type Columns = Self;
+    type Pack = Self;
 
     fn constant(value: f64) -> Self {
         Self::new(value)

@@ -7,6 +7,7 @@ mod function_table;
 mod inverse_dynamics;
 mod kinematics;
 pub mod layouts;
+mod limbs;
 mod mass_matrix;
 mod momentum;
 pub mod outputs;
@@ -57,6 +58,8 @@ pub struct CompiledFunction {
     pub answer: Option<Answer>,
     /// Its procedure.
     pub procedure: Procedure,
+    /// The same procedure with limbs of one shape side by side, if that saves operations.
+    pub packed: Option<Procedure>,
 }
 
 impl Compiled {
@@ -93,11 +96,12 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             storage = traced.storage.unwrap_or(storage);
             ordered.push((spec, pipeline::order(traced.function, &mut setup)));
         }
+        let limbs = compiler.limbs();
         let checks = chain.checks();
         let of_setup = pipeline::order(compiler.setup(&setup, &checks), &mut SetupSlots::default());
-        let finish = |answer, ordered, tests| CompiledFunction {
-            answer,
-            procedure: pipeline::finish(ordered, tests, &setup),
+        let finish = |answer, ordered, tests| {
+            let (procedure, packed) = pipeline::finish(ordered, tests, (&setup, &limbs));
+            CompiledFunction { answer, procedure, packed }
         };
         let setup_function = finish(None, of_setup, None);
         let functions = ordered.into_iter();

@@ -1,7 +1,9 @@
-//! Which values of a procedure differ between the columns of a matrix that is computed several columns at a time.
+//! Which values of a procedure have several lanes, in a type `C`; all others have the scalar type `T`.
 //!
-//! A product with a matrix is linear in its factor, the vector that the caller gives. Values that depend on the factor
-//! have the type `T::Columns`. All others are computed once for all columns and have the type `T`.
+//! - A matrix is computed several columns at a time. A product with a matrix is linear in its factor, the vector that the
+//!   caller gives. Values that depend on the factor differ between the columns, and `C` is `T::Columns`. All others are
+//!   computed once for all columns.
+//! - Limbs of one shape are computed side by side. Packs have a lane for each limb, and `C` is `T::Pack`.
 
 use crate::compile::outputs;
 use crate::ids::IdVec;
@@ -41,6 +43,13 @@ impl Varying {
         }
         // A value that a loop carries may depend on a later one of the repetition before.
         while varying.follow(&procedure.arrays, &procedure.body) {}
+        varying
+    }
+
+    /// Returns the packs.
+    pub fn packs(procedure: &Procedure) -> Self {
+        let mut varying = Varying::none(procedure);
+        varying.follow(&procedure.arrays, &procedure.body);
         varying
     }
 
@@ -101,7 +110,7 @@ impl Varying {
         let first = first_entry(array, from);
         for (entry, value) in into.iter().enumerate() {
             let is_varying = match array.role {
-                ArrayRole::Argument(argument) => is_factor(argument),
+                ArrayRole::Argument(argument) => self.is_factor(argument),
                 _ => self.entry(from.array, first + entry),
             };
             if let Some(value) = value.filter(|_| is_varying) {
@@ -112,7 +121,7 @@ impl Varying {
     }
 
     fn compute(&mut self, statement: &Statement) -> bool {
-        if !self.statement(statement) {
+        if !matches!(statement, Statement::Pack { .. }) && !self.statement(statement) {
             return false;
         }
         statement.defined().fold(false, |changed, value| self.mark(value) | changed)

@@ -39,6 +39,16 @@ impl EmitContext<'_> {
         self.typed(procedure, Varying::of(procedure), &TokenStream::new(), destination)
     }
 
+    /// Returns the statements of a procedure with limbs side by side, in the type `C` of packs.
+    pub fn procedure_of_packs(
+        &self,
+        procedure: &Procedure,
+        fresh: &TokenStream,
+        destination: impl Fn(OutputId) -> Destination,
+    ) -> TokenStream {
+        self.typed(procedure, Varying::packs(procedure), fresh, destination)
+    }
+
     fn typed(
         &self,
         procedure: &Procedure,

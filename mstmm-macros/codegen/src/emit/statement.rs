@@ -114,6 +114,16 @@ impl<'a> Writer<'a> {
                 self.sign('=');
                 self.operation(operation, varying);
             }
+            Statement::Pack { pack, values } => {
+                self.name(*pack);
+                self.sign('=');
+                self.pack(values);
+            }
+            Statement::Lane { value, pack, lane, negative } => {
+                self.name(*value);
+                self.sign('=');
+                self.lane(*pack, *lane, *negative);
+            }
             Statement::SinCos { sines, cosines, angles } => {
                 if varying {
                     bug!("a product is not linear in its factor");
@@ -132,6 +142,43 @@ impl<'a> Writer<'a> {
                 });
             }
         }
+    }
+
+    /// Writes `mstmm::generated::pack::<T, C>([…])`.
+    fn pack(&mut self, values: &[Operand]) {
+        self.generated("pack");
+        self.lanes_of_scalars();
+        self.group(Delimiter::Parenthesis, |arguments| {
+            arguments.group(Delimiter::Bracket, |list| {
+                list.separated(values, |list, value| list.operand(value, false));
+            });
+        });
+    }
+
+    /// Writes `mstmm::generated::lane::<T, C>(pack, lane)`, or its negative.
+    fn lane(&mut self, pack: ValueId, lane: usize, negative: bool) {
+        if negative {
+            self.function("negate", false);
+            return self.group(Delimiter::Parenthesis, |inner| inner.lane(pack, lane, false));
+        }
+        self.generated("lane");
+        self.lanes_of_scalars();
+        self.group(Delimiter::Parenthesis, |arguments| {
+            arguments.name(pack);
+            arguments.sign(',');
+            arguments.literal(Literal::usize_unsuffixed(lane));
+        });
+    }
+
+    /// Writes `::<T, C>`.
+    fn lanes_of_scalars(&mut self) {
+        self.tokens.push(Punct::new(':', Spacing::Joint).into());
+        self.sign(':');
+        self.sign('<');
+        self.word("T");
+        self.sign(',');
+        self.word("C");
+        self.sign('>');
     }
 
     /// Writes an array pattern of names, with `_` for missing names.

@@ -11,7 +11,8 @@
 //! written out, 456 ns as a loop with equal constants and 497 ns with constants from memory, in a third of
 //! the code. Code that exceeds the first-level instruction cache of 32 KB costs less than that: on the same
 //! processor (Zen 5) one arm of G1 costs 0.11 ns an operation (20 KB), half of G1 0.14 (42 KB) and all of
-//! G1 0.15 (82 KB). Loops over its two legs and two arms would leave 45 KB.
+//! G1 0.15 (82 KB). Loops over its two legs and two arms would leave 45 KB. Scalar types with SIMD lanes
+//! compute such branches side by side instead (`passes/limbs`).
 
 use crate::math::{
     Mat3, Motion, PlaneFormula, Rotation, Scalar, SpatialInertia, Sym3, Vec3, Wrench,

@@ -12,6 +12,7 @@ mod dynamic_parameters;
 mod hinge;
 mod inertia;
 mod layout;
+mod limbs;
 mod load;
 mod lower;
 mod parameter_uses;
@@ -36,6 +37,7 @@ pub use hinge::{
     Representation, StateView, ViewArgument,
 };
 pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
+pub use limbs::{LimbGroup, limb_groups};
 pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
 pub(crate) use lower::listed;
 pub use request::{ANSWER_WORDS, Request};

@@ -28,6 +28,7 @@ pub(super) fn of_node(node: &Node) -> u32 {
 pub(super) fn of_statement(statement: &Statement) -> u32 {
     match statement {
         Statement::SinCos { .. } => ANGLE,
+        Statement::Pack { .. } | Statement::Lane { .. } => ADDITION,
         Statement::Let(_, operation) => match operation {
             Operation::Sum(..) | Operation::Difference(..) | Operation::CopySign(..) => ADDITION,
             Operation::Product(..)

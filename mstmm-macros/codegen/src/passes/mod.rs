@@ -9,7 +9,8 @@
 //!
 //! [`linearize()`] orders a function into a program; `select_fma` chooses the products that it fuses with their sums, and
 //! `angles` groups its sines and cosines. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
-//! loads, tests and stores, and [`early_stores()`] moves the stores up. The module `compile` lists the order of the passes.
+//! loads, tests and stores, [`pack_limbs()`] computes limbs of one shape side by side, and [`early_stores()`] moves the
+//! stores up. The module `compile` lists the order of the passes.
 //!
 //! Constant folding, signs and common subexpressions need no pass: the graph's rules apply when formulas are created.
 
@@ -20,6 +21,7 @@ mod factor;
 mod flatten_sums;
 mod fuse_loops;
 mod latency;
+mod limbs;
 mod linearize;
 mod list_schedule;
 mod live;
@@ -37,6 +39,7 @@ mod setup;
 pub use early_stores::early_stores;
 pub use factor::factor;
 pub use fuse_loops::fuse_loops;
+pub use limbs::{Leaf, Limb, LimbQuantity, Limbs, PACK, pack_limbs};
 pub use linearize::linearize;
 pub use list_schedule::list_schedule;
 pub use live::Live;

@@ -56,6 +56,7 @@ impl Section {
     fn cost(&self) -> Cost {
         let of_statement = |statement: &Statement| match statement {
             Statement::SinCos { angles, .. } => Cost { trig: angles.len(), ..Cost::default() },
+            Statement::Pack { .. } | Statement::Lane { .. } => Cost::default(),
             Statement::Let(_, operation) => match operation {
                 Operation::Sum(..) | Operation::Difference(..) => {
                     Cost { add: 1, ..Cost::default() }

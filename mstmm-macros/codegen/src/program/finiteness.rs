@@ -87,6 +87,7 @@ impl<'a> Finiteness<'a> {
                     }
                 }
             }
+            Statement::Pack { .. } | Statement::Lane { .. } => bug!("a program has no packs"),
         }
     }
 

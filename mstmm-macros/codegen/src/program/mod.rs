@@ -139,25 +139,48 @@ pub enum Statement {
         /// The angles.
         angles: Vec<Operand>,
     },
+    /// Defines a pack of scalars, one in each lane. A `Let` with a pack among its operands applies its operation lane by
+    /// lane and defines a pack; its scalar operands are the same in all lanes.
+    Pack {
+        /// The pack.
+        pack: ValueId,
+        /// The scalars.
+        values: Vec<Operand>,
+    },
+    /// Defines a scalar: the value in a lane of a pack, or its negative.
+    Lane {
+        /// The scalar.
+        value: ValueId,
+        /// The pack.
+        pack: ValueId,
+        /// The lane.
+        lane: usize,
+        /// Whether it is the negative of the value in the lane.
+        negative: bool,
+    },
 }
 
 impl Statement {
     /// Iterates over the values that it defines.
     pub fn defined(&self) -> impl Iterator<Item = ValueId> {
         let (single, several) = match self {
-            Statement::Let(name, _) => (Some(*name), None),
+            Statement::Let(name, _)
+            | Statement::Pack { pack: name, .. }
+            | Statement::Lane { value: name, .. } => (Some(*name), None),
             Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
         };
         single.into_iter().chain(several.into_iter().flatten().filter_map(|name| *name))
     }
 
-    /// Iterates over its operands.
+    /// Iterates over its operands, except the pack that a lane is read from.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
-        let (operands, angles) = match self {
+        let (operands, several) = match self {
             Statement::Let(_, operation) => (operation.operands(), &[][..]),
             Statement::SinCos { angles, .. } => ([None; 3], &angles[..]),
+            Statement::Pack { values, .. } => ([None; 3], &values[..]),
+            Statement::Lane { .. } => ([None; 3], &[][..]),
         };
-        operands.into_iter().flatten().chain(angles)
+        operands.into_iter().flatten().chain(several)
     }
 }
 

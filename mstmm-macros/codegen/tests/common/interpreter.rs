@@ -2,6 +2,7 @@
 //! every machine.
 
 use mstmm_codegen::math::Scalar;
+use mstmm_codegen::passes::PACK;
 use mstmm_codegen::program::{
     Argument, Array, ArrayId, ArrayRole, ArraySlice, CheckId, Failure, ForLoop, Operand, Operation,
     OutputId, PivotValue, Procedure, Repetition, ResultCheck, Statement, Step, ValueId, Witness,
@@ -100,6 +101,8 @@ pub fn run<S: Judge>(procedure: &Procedure, arrays: &mut Arrays<S>) -> Result<()
         locals: procedure.arrays.iter().map(local).collect(),
         checks: vec![true; procedure.checks],
         repetition: 0,
+        packs: HashMap::new(),
+        lane: 0,
         arrays: arrays.clone(),
     };
     machine.arrays.results.clear();
@@ -121,6 +124,10 @@ struct Machine<'a, S> {
     checks: Vec<bool>,
     /// The current repetition of a loop.
     repetition: usize,
+    /// The lanes of each pack.
+    packs: HashMap<ValueId, Vec<S>>,
+    /// The current lane of an operation on packs.
+    lane: usize,
     arrays: Arrays<S>,
 }
 
@@ -270,7 +277,29 @@ impl<S: Judge> Machine<'_, S> {
 
     fn statement(&mut self, statement: &Statement) {
         match statement {
-            Statement::Let(value, operation) => self.set(*value, self.operation(operation)),
+            Statement::Let(value, operation) => {
+                let is_pack = |operand: &Operand| {
+                    operand.value().is_some_and(|value| self.packs.contains_key(&value))
+                };
+                if !operation.operands().into_iter().flatten().any(is_pack) {
+                    return self.set(*value, self.operation(operation));
+                }
+                let of_lane = |lane| {
+                    self.lane = lane;
+                    self.operation(operation)
+                };
+                let lanes = (0..PACK).map(of_lane).collect();
+                self.packs.insert(*value, lanes);
+            }
+            Statement::Pack { pack, values } => {
+                assert_eq!(values.len(), PACK);
+                let lanes = values.iter().map(|value| self.value(value)).collect();
+                self.packs.insert(*pack, lanes);
+            }
+            Statement::Lane { value, pack, lane, negative } => {
+                let found = self.packs[pack][*lane];
+                self.set(*value, if *negative { -found } else { found });
+            }
             Statement::SinCos { sines, cosines, angles } => {
                 for (k, angle) in angles.iter().enumerate() {
                     let (sin, cos) = self.value(angle).sine_and_cosine();
@@ -310,6 +339,9 @@ impl<S: Judge> Machine<'_, S> {
         match operand {
             Operand::Number(number) => S::number(*number),
             Operand::Value(value) => {
+                if let Some(lanes) = self.packs.get(value) {
+                    return lanes[self.lane];
+                }
                 let text = self.procedure.values.text(*value);
                 self.values[value.index()].unwrap_or_else(|| panic!("`{text}` has no value"))
             }

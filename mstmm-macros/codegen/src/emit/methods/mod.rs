@@ -9,6 +9,7 @@ mod inverse_dynamics;
 mod kinematics;
 mod mass_matrix;
 mod momentum;
+mod packed;
 mod products;
 mod regressor;
 mod state;
@@ -107,22 +108,29 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
         template(cx, answer);
     let procedure = &function.procedure;
     let [before, after] = docs;
-    let fresh = match answer {
-        Answer::Kinematics => quote!(::core::default::Default::default()),
-        _ => quote!(self.workspace()),
-    };
+    let fresh = fresh(answer);
     let cost = docs::cost(procedure);
     let statements = match column_products::is_used(cx, answer) {
         true => column_products::of_one_vector(cx, answer),
         false => cx.procedure(procedure, &fresh, |id| destination(cx, id)),
     };
-    let body = body(quote!(#opening #statements), end);
+    let (dispatch, packed) = packed::emit(cx, function);
+    let body = body(quote!(#dispatch #opening #statements), end);
     quote! {
+        #packed
         #before
         #(#[doc = #cost])*
         #after
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         #name(&self, #arguments) -> #returns #body
+    }
+}
+
+/// Returns the value of results after a failure.
+fn fresh(answer: Answer) -> TokenStream {
+    match answer {
+        Answer::Kinematics => quote!(::core::default::Default::default()),
+        _ => quote!(self.workspace()),
     }
 }
 

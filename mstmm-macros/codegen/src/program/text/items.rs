@@ -70,6 +70,9 @@ pub fn items(block: &Block) -> Vec<ItemSection> {
                         (number, items.len(), Item::Angle { sine, cosine, angle: angle.clone() })
                     }));
                 }
+                Statement::Pack { .. } | Statement::Lane { .. } => {
+                    bug!("a program has no packs")
+                }
             }
         }
         all.push(ItemSection { prefix, title, source, items });

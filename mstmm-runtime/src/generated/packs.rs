@@ -1,0 +1,31 @@
+//! Packs: values of limbs of one shape side by side.
+
+use crate::{Columns, Scalar};
+
+/// Returns a pack of scalars.
+#[inline(always)]
+pub fn pack<T: Scalar, C: Columns<T>>(values: [T; 4]) -> C {
+    C::from_fn(|column| values.get(column).copied().unwrap_or_default())
+}
+
+/// Returns the value in a lane of a pack.
+#[inline(always)]
+pub fn lane<T: Scalar, C: Columns<T>>(pack: C, lane: usize) -> T {
+    pack.column(lane)
+}
+
+/// Keeps code that only crates with the feature `wide` need.
+#[cfg(feature = "wide")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_wide_ {
+    ($($code:tt)*) => { $($code)* };
+}
+
+/// Drops code that only crates with the feature `wide` need.
+#[cfg(not(feature = "wide"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_wide_ {
+    ($($code:tt)*) => {};
+}
