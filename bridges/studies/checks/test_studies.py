@@ -117,3 +117,11 @@ def test_intervals_cover_the_truth_as_often_as_they_say():
         events += row["low"] < 0.1 < row["high"]
     # 380 are expected; the standard deviation is 4.4, so five of them are 22.
     assert abs(covered - 380) < 22 and abs(events - 380) < 25
+
+
+def test_payloads_have_the_hash_of_the_study_in_rust(tmp_path):
+    """The test of the crate `mstmm-payloads` has the same samples and the same hash."""
+    study = Study(str(pathlib.Path(FILE).with_name("payloads.py")), samples=40, chunk=16, seed=7)
+    for number in range(study.chunks):
+        compute_chunk(study, number, tmp_path)
+    assert digest(read(study, tmp_path)) == "ff2c01cb4b5fc7872dd0ef4eb1a0e6409422c6bdb6b7be63c3f3486316672f06"
