@@ -223,7 +223,7 @@ impl Builder<'_> {
         values.map(level).max().unwrap_or(0)
     }
 
-    /// Adds a value. Values of a limb with equal keys are told apart by their order.
+    /// Adds a value. The order of values with equal keys in a limb distinguishes them.
     fn insert(&mut self, value: ValueId, limb: Limb, key: Key) {
         let count = self.counts.entry((limb, key.clone())).or_insert(0);
         let number = std::mem::replace(count, *count + 1);
