@@ -7,6 +7,7 @@ a chain and a constraint in MuJoCo, so it is computed here; limits, contacts and
 from __future__ import annotations
 
 import argparse
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -26,6 +27,7 @@ SMOOTHING = {mujoco.mjtJoint.mjJNT_HINGE: 0.1, mujoco.mjtJoint.mjJNT_SLIDE: 0.01
 PACKAGES = Path(mujoco.__file__).parents[1]
 MODELS = {
     "openarm": Path(sys.prefix) / "share/openarm_mujoco/v2/openarm_bimanual.xml",
+    "offsets": Path(__file__).with_name("offsets.xml"),
     "jaco": PACKAGES / "dm_control/mujoco/testing/assets/arm.xml",
 }
 
@@ -69,6 +71,60 @@ class Peer:
         return {"accelerations": data.qacc[at].copy(), "mass matrix": matrix[np.ix_(at, at)]}
 
 
+ORIENTATIONS = {
+    "quat": 4,
+    "axisangle": 4,
+    "euler": 3,
+    "xyaxes": 6,
+    "zaxis": 3,
+}
+"""The forms of an orientation and their numbers."""
+
+
+def orientations(command: str, work: Path) -> float:
+    """Returns the largest difference of rotation matrices of sites with random orientations in all forms."""
+    random = np.random.default_rng(SEED)
+    worst = 0.0
+    for sequence in ("xyz", "XYZ", "zyx", "yXz", "ZxZ"):
+        for angle in ("radian", "degree"):
+            forms = [form for form in ORIENTATIONS for _ in range(4)]
+            values = [random.uniform(-2, 2, ORIENTATIONS[form]) for form in forms]
+            sites = "".join(
+                f'<site name="s{index}" {form}="{" ".join(map(repr, map(float, value)))}"/>'
+                for index, (form, value) in enumerate(zip(forms, values, strict=True))
+            )
+            file = work / "orientations.xml"
+            file.write_text(
+                f'<mujoco><compiler angle="{angle}" eulerseq="{sequence}"/><worldbody><body><joint/>'
+                f'<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>{sites}</body></worldbody></mujoco>'
+            )
+            model = mujoco.MjModel.from_xml_path(str(file))
+            run = [command, "mstmm", "import", str(file)]
+            text = subprocess.run(run, check=True, capture_output=True, text=True).stdout
+            pattern = r"point s(\d+) = \[[^]]*\] m(?:\s+turned rpy\(([^)]*)\) (\w+))?;"
+            found = re.findall(pattern, text)
+            if len(found) != len(forms):
+                raise ValueError(f"{len(found)} of {len(forms)} sites are in the text:\n{text}")
+            for number, angles, unit in found:
+                roll, pitch, yaw = (float(part) for part in (angles or "0, 0, 0").split(","))
+                if unit == "deg":
+                    roll, pitch, yaw = np.deg2rad([roll, pitch, yaw])
+                exact = np.zeros(9)
+                mujoco.mju_quat2Mat(exact, model.site_quat[model.site(f"s{number}").id])
+                own = about(2, yaw) @ about(1, pitch) @ about(0, roll)
+                worst = max(worst, float(np.abs(own - exact.reshape(3, 3)).max()))
+    return worst
+
+
+def about(axis: int, angle: float) -> np.ndarray:
+    """Returns the rotation about an axis."""
+    matrix = np.eye(3)
+    first, second = (axis + 1) % 3, (axis + 2) % 3
+    matrix[[first, second], [first, second]] = np.cos(angle)
+    matrix[first, second], matrix[second, first] = -np.sin(angle), np.sin(angle)
+    return matrix
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(prog="bridges/check-import --mjcf", description=__doc__)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
@@ -82,7 +138,9 @@ def main() -> None:
         texts[module] = (text, names.read(text))
     program.write(options.work, texts)
     program.build(options.work)
-    wrong = []
+    difference = orientations(options.command, options.work)
+    print(f"orientations: {difference:.0e}")
+    wrong = [] if difference < 1e-12 else ["orientations"]
     for module, (_, found) in texts.items():
         peer = Peer(MODELS[module], found)
         states = peer.states(np.random.default_rng(SEED))
