@@ -1,6 +1,7 @@
 //! Draws a chain in its initial state, for the docs of its type, so that a user sees errors in the description at once.
 
 mod label;
+mod passive;
 
 use super::{gravity, routes};
 use crate::examine::Drawing;
@@ -31,10 +32,13 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     let camera = Camera::of(drawing);
     let [mut width, height] = camera.size;
     let is_tree = routes::written(&drawing.chain).len() > 1;
-    let labels = match is_tree {
-        true => label::of_tree(drawing, &camera),
-        false => label::of_chain(drawing, &camera),
+    let (mut labels, most) = match is_tree {
+        true => (label::of_tree(drawing, &camera), label::IN_TREE),
+        false => (label::of_chain(drawing, &camera), label::IN_CHAIN),
     };
+    if !labels.is_empty() {
+        passive::add_labels(drawing, &camera, most, &mut labels);
+    }
     let sign = gravity::Sign::of(&camera.axes, drawing.gravity);
     let arrow = sign.map(|sign| {
         // To the right of everything else.
@@ -42,7 +46,8 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
         width = right + gravity::ROOM;
         sign.drawn([right, MARGIN])
     });
-    let [left, top, width, height] = match is_tree {
+    let may_be_outside = is_tree || passive::positions(drawing).next().is_some();
+    let [left, top, width, height] = match may_be_outside {
         true => label::around(&labels, [width, height]),
         false => [0.0, 0.0, width, height],
     };
@@ -58,6 +63,8 @@ pub fn picture(drawing: &Drawing) -> Vec<String> {
     let elements = drawing.chain.elements.iter().enumerate();
     let bodies = elements.clone().filter(|(_, element)| matches!(element, Element::Body(_)));
     lines.extend(bodies.map(|(number, _)| body(drawing, &camera, number)));
+    lines.extend(passive::marks(drawing, &camera));
+    lines.extend(passive::springs(drawing, &camera));
     lines.extend(ends(drawing, &camera));
     lines.extend(elements.filter_map(|(number, element)| match element {
         Element::Hinge(index) => {
@@ -86,7 +93,8 @@ impl Camera {
     fn of(drawing: &Drawing) -> Camera {
         let axes = axes(drawing.chain.dimension, drawing.up);
         let mut camera = Camera { axes, scale: 1.0, origin: [0.0; 2], size: [0.0; 2] };
-        let seen = drawing.points.iter().chain(&drawing.centres).map(|point| camera.project(point));
+        let seen = drawing.points.iter().chain(&drawing.centres);
+        let seen = seen.chain(passive::positions(drawing)).map(|point| camera.project(point));
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in seen {
             for k in 0..2 {

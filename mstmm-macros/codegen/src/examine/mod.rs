@@ -2,16 +2,14 @@
 //! freedom a closed chain has, and the pose at the start.
 
 mod base_parameters;
+mod drawing;
 mod dry_run;
 
 use crate::diag::Diagnostics;
-use crate::equations::{self, LoopReaction, SymbolValues, Trace};
-use crate::ids::{IdVec, PointId};
-use crate::math::{PIVOT_ULPS, Vec3};
-use crate::model::{
-    Chain, ClosureRank, ConnectionPoints, Drive, Element, ElementPoints, Hinge, HingeId, Request,
-    Role, Source,
-};
+use crate::equations::{LoopReaction, SymbolValues};
+use crate::math::PIVOT_ULPS;
+use crate::model::{Chain, ClosureRank, Drive, Hinge, HingeId, Request, Role};
+pub use drawing::{Drawing, DrawnEnd, DrawnMark, DrawnSpring};
 use dry_run::{Configuration, DryRun, Number, values};
 use proc_macro2::Ident;
 
@@ -60,23 +58,6 @@ pub struct Mobility {
     pub redundant: usize,
 }
 
-/// The geometry of a chain for a drawing.
-#[derive(Clone, Debug)]
-pub struct Drawing {
-    /// The chain, its repeated parts written out or shortened.
-    pub chain: Chain,
-    /// Positions of all connection points in m.
-    pub points: IdVec<PointId, [f64; 3]>,
-    /// The connection points.
-    pub of: ConnectionPoints,
-    /// Positions of the elements' centres of mass in m; for hinges, of their inputs.
-    pub centres: Vec<[f64; 3]>,
-    /// The axis closest to the vertical; z without gravity.
-    pub up: usize,
-    /// Gravity in m/s², with parameters at their defaults; `None` if it is zero or an input.
-    pub gravity: Option<[f64; 3]>,
-}
-
 /// Checks a chain numerically, and reports its errors.
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.count_elements(usize::MAX) <= ELEMENTS;
@@ -105,7 +86,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         dry_run.refuse_rigid_chain(diagnostics);
     }
     let mass_ratio = Some(dry_run.mass_ratio());
-    let start = Some(dry_run.drawing(poses));
+    let start = Some(dry_run.drawing(poses, &chain.unrolled_springs(most)));
     let has_regressor = chain.requests.contains(&Request::Regressor) && chain.repeats.is_empty();
     let base_parameters = if has_regressor { dry_run.base_parameters() } else { Vec::new() };
     Findings { held_by_closure, closure_rank, mobility, mass_ratio, base_parameters, start }
@@ -245,52 +226,5 @@ impl DryRun {
             Some((rank, undetermined.len()))
         });
         ranks.max()
-    }
-
-    /// Returns the geometry at the start, closed if possible.
-    fn drawing(&self, poses: Vec<Configuration>) -> Drawing {
-        let near = poses.into_iter().next();
-        let pose = near.unwrap_or_else(|| self.pose(&self.values, 0));
-        let (v, Configuration { q, inputs }) = (self.at_rest(), &pose);
-        let context = self.context(&self.layout, &self.values, (q, &v, inputs));
-        let (solved, swept) = self.swept(&self.values, &pose);
-        let report = equations::report(&context, (&solved, &swept), &mut Trace::silent());
-        let position = |place: Vec3<Number>| place.0.map(Number::value);
-        let centre = |(element, ends): (&Element, &ElementPoints)| {
-            let point = &report.points[ends.input];
-            match *element {
-                Element::Hinge(_) => position(point.position),
-                Element::Body(body) => {
-                    let com = self.values.vector(&self.chain.bodies[body].com);
-                    position(point.position + point.rotation * com)
-                }
-            }
-        };
-        Drawing {
-            points: report.points.iter().map(|point| position(point.position)).collect(),
-            centres: self
-                .chain
-                .elements
-                .iter()
-                .zip(&report.connection_points.elements)
-                .map(centre)
-                .collect(),
-            of: report.connection_points,
-            up: self.vertical(),
-            gravity: self.gravity(),
-            chain: self.chain.clone(),
-        }
-    }
-
-    fn gravity(&self) -> Option<[f64; 3]> {
-        let Source::Constant(gravity) = &self.chain.gravity else { return None };
-        let gravity = self.values.vector(gravity).0.map(Number::value);
-        gravity.iter().any(|&part| part != 0.0).then_some(gravity)
-    }
-
-    fn vertical(&self) -> usize {
-        let Some(gravity) = self.gravity() else { return 2 };
-        let size = |axis: usize| gravity[axis].abs();
-        [2, 1, 0].into_iter().max_by(|&a, &b| size(a).total_cmp(&size(b))).unwrap_or(2)
     }
 }

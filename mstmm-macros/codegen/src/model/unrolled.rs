@@ -1,6 +1,9 @@
 //! A chain with its repeated parts written out.
 
-use super::{Attachment, BodyId, Chain, Element, FromPrevious, HingeId, Repeat, RepeatId, Role};
+use super::{
+    Attachment, BodyId, BodyPoint, Chain, Element, FromPrevious, HingeId, Repeat, RepeatId, Role,
+    Spring, SpringEnd,
+};
 use crate::ids::{Id, IdRange, IdVec};
 use std::collections::HashMap;
 
@@ -13,15 +16,10 @@ impl Chain {
     }
 
     /// Returns the same chain with up to `most` repetitions of each part written out. It has no
-    /// loads and no springs, and its names are not unique.
+    /// loads and no springs, and its names are not unique;
+    /// [`unrolled_springs`](Self::unrolled_springs) has the springs.
     pub fn unrolled(&self, most: usize) -> Chain {
-        let bodies = Copies::of(
-            self,
-            most,
-            self.bodies.ids(),
-            |repeat| repeat.bodies,
-            |body| matches!(self.bodies[body].role, Role::RepeatBoundary(_)),
-        );
+        let bodies = self.copies_of_bodies(most);
         let hinges = Copies::of(
             self,
             most,
@@ -46,6 +44,29 @@ impl Chain {
             springs: Vec::new(),
             ..self.clone()
         }
+    }
+
+    /// Returns the springs on the bodies of the unrolled chain, each spring of a repeated part once for each
+    /// repetition.
+    pub fn unrolled_springs(&self, most: usize) -> Vec<Spring> {
+        let bodies = self.copies_of_bodies(most);
+        let unrolled = Unrolled { chain: self, most, bodies: &bodies };
+        let copies = self.springs.iter().flat_map(|spring| {
+            let repeat = self.repeat_of_body(spring.on.body);
+            let count = repeat.map_or(1, |repeat| self.repeats[repeat].count.min(most));
+            (0..count).map(|repetition| unrolled.spring(spring, repetition)).collect::<Vec<_>>()
+        });
+        copies.collect()
+    }
+
+    fn copies_of_bodies(&self, most: usize) -> Copies<BodyId> {
+        Copies::of(
+            self,
+            most,
+            self.bodies.ids(),
+            |repeat| repeat.bodies,
+            |body| matches!(self.bodies[body].role, Role::RepeatBoundary(_)),
+        )
     }
 
     fn elements_of_all(
@@ -120,7 +141,7 @@ impl<I: Id + std::hash::Hash> Copies<I> {
     }
 }
 
-/// Finds the attachments of copied hinges.
+/// Finds the attachments of copied hinges and springs.
 struct Unrolled<'a> {
     chain: &'a Chain,
     most: usize,
@@ -152,11 +173,35 @@ impl Unrolled<'_> {
     /// repeated part, else in the last one.
     fn on_copy(&self, place: &Attachment, from: Option<RepeatId>, repetition: usize) -> Attachment {
         let Some(body) = place.body() else { return place.clone() };
+        place.on(self.body(body, from, repetition))
+    }
+
+    /// Returns the copy of a body: in the same repetition if it is in the repeated part `from`, else
+    /// in the last one.
+    fn body(&self, body: BodyId, from: Option<RepeatId>, repetition: usize) -> BodyId {
         let repetition = match self.chain.repeat_of_body(body) {
             None => 0,
             of_body if of_body == from => repetition,
             Some(repeat) => self.chain.repeats[repeat].count.min(self.most) - 1,
         };
-        place.on(self.bodies.copy(body, repetition))
+        self.bodies.copy(body, repetition)
+    }
+
+    /// Returns the copy of a spring in a repetition.
+    fn spring(&self, spring: &Spring, repetition: usize) -> Spring {
+        let from = self.chain.repeat_of_body(spring.on.body);
+        let point = |point: &BodyPoint, repetition| BodyPoint {
+            body: self.body(point.body, from, repetition),
+            at: point.at.clone(),
+        };
+        let to = match &spring.to {
+            SpringEnd::Ground(at) => SpringEnd::Ground(at.clone()),
+            SpringEnd::Body(to) => SpringEnd::Body(point(to, repetition)),
+            SpringEnd::Previous { point: to, first } => SpringEnd::Body(match repetition {
+                0 => point(first, 0),
+                later => point(to, later - 1),
+            }),
+        };
+        Spring { on: point(&spring.on, repetition), to, ..spring.clone() }
     }
 }

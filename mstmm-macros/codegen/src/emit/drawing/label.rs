@@ -5,36 +5,49 @@ use crate::examine::Drawing;
 use crate::model::{BodyId, Element};
 
 /// The largest number of labels in the picture of a chain; more labels would overlap.
-const IN_CHAIN: usize = 24;
+pub const IN_CHAIN: usize = 24;
 /// The largest number of labels in the picture of a tree, which moves labels apart.
-const IN_TREE: usize = 32;
+pub const IN_TREE: usize = 32;
 /// The height of a line, in pixels.
 const LINE: f64 = 13.0;
 
-/// The label of an element.
+/// The label of an element, a spring or a point.
 pub struct Label {
-    text: String,
-    at: [f64; 2],
-    /// Whether it labels a body, centred at its position.
-    is_body: bool,
+    pub text: String,
+    /// Its left end, or its middle if it labels a body.
+    pub at: [f64; 2],
+    pub style: Style,
+}
+
+/// What a label names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    Body,
+    Hinge,
+    Spring,
+    Point,
 }
 
 /// The approximate width of a letter, in pixels.
 const LETTER: f64 = 7.0;
 
 impl Label {
+    fn is_body(&self) -> bool {
+        self.style == Style::Body
+    }
+
     fn width(&self) -> f64 {
         self.text.chars().count() as f64 * LETTER
     }
 
     /// Returns its left end.
     fn left(&self) -> f64 {
-        self.at[0] - if self.is_body { self.width() / 2.0 } else { 0.0 }
+        self.at[0] - if self.is_body() { self.width() / 2.0 } else { 0.0 }
     }
 
     /// Returns its right end.
     pub fn right(&self) -> f64 {
-        self.at[0] + if self.is_body { self.width() / 2.0 } else { self.width() }
+        self.at[0] + if self.is_body() { self.width() / 2.0 } else { self.width() }
     }
 
     fn overlaps(&self, other: &Label) -> bool {
@@ -42,9 +55,30 @@ impl Label {
         !is_beside && (self.at[1] - other.at[1]).abs() < LINE
     }
 
+    /// Adds the label to others, moved until it overlaps none. The label of a point is omitted if that takes it far from
+    /// the point.
+    pub fn place(mut self, labels: &mut Vec<Label>) {
+        // Labels of bodies move down first, others up; then to the other side, and so on.
+        let step = if self.is_body() { LINE } else { -LINE };
+        let moves = (1..).map(|k| if k % 2 == 1 { f64::from(k) } else { -f64::from(k) });
+        let mut moves = moves.take(if self.style == Style::Point { 2 } else { usize::MAX });
+        while labels.iter().any(|placed| self.overlaps(placed))
+            && let Some(lines) = moves.next()
+        {
+            self.at[1] += step * lines;
+        }
+        if self.style != Style::Point || !labels.iter().any(|placed| self.overlaps(placed)) {
+            labels.push(self);
+        }
+    }
+
     pub fn drawn(&self) -> String {
-        let Label { text, at: [x, y], is_body } = self;
-        let style = if *is_body { " text-anchor=\"middle\" font-style=\"italic\"" } else { "" };
+        let Label { text, at: [x, y], style } = self;
+        let style = match style {
+            Style::Body => " text-anchor=\"middle\" font-style=\"italic\"",
+            Style::Hinge | Style::Spring => "",
+            Style::Point => " font-size=\"10\" opacity=\"0.7\"",
+        };
         format!(" <text x=\"{x:.1}\" y=\"{y:.1}\"{style}>{text}</text>")
     }
 }
@@ -76,16 +110,7 @@ pub fn of_tree(drawing: &Drawing, camera: &Camera) -> Vec<Label> {
     }
     let mut labels: Vec<Label> = Vec::new();
     for number in numbers {
-        let mut label = of_element(drawing, camera, number);
-        // Labels of bodies move down first, those of hinges up; then to the other side, and so on.
-        let step = if label.is_body { LINE } else { -LINE };
-        let mut moves = (1..).map(|k| if k % 2 == 1 { f64::from(k) } else { -f64::from(k) });
-        while labels.iter().any(|placed| label.overlaps(placed))
-            && let Some(lines) = moves.next()
-        {
-            label.at[1] += step * lines;
-        }
-        labels.push(label);
+        of_element(drawing, camera, number).place(&mut labels);
     }
     labels
 }
@@ -106,12 +131,12 @@ fn of_element(drawing: &Drawing, camera: &Camera, number: usize) -> Label {
         Element::Body(index) => Label {
             text: drawing.chain.bodies[index].path.clone(),
             at: [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + 20.0],
-            is_body: true,
+            style: Style::Body,
         },
         Element::Hinge(index) => Label {
             text: drawing.chain.hinges[index].path.clone(),
             at: [a[0] + 8.0, a[1] - 8.0],
-            is_body: false,
+            style: Style::Hinge,
         },
     }
 }
