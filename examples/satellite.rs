@@ -1,4 +1,5 @@
-//! A reaction wheel stops the rotation of a satellite about one axis; the total angular momentum is constant.
+//! A satellite unfolds its two wings while a reaction wheel stops its rotation about one axis; the total angular momentum
+//! is constant.
 //!
 //! `cargo run --release --example satellite`; with `-- --page satellite.html` it also writes a page that shows the motion.
 
@@ -8,7 +9,7 @@ use mstmm::prelude::*;
 use page::Page;
 
 mstmm_chain! {
-    /// A hub that floats, and a wheel with a motor.
+    /// A hub that floats, two wings of panels on springs, and a wheel with a motor.
     chain Satellite {
         answers = momentum;
 
@@ -17,19 +18,34 @@ mstmm_chain! {
             com = [0, 0, 0] m;
             output = [0.1, 0, 0.3] m;
             inertia = diag(20, 25, 18) kg*m^2 about com;
+            point left = [0, 0.5, 0] m;
+            point right = [0, -0.5, 0] m turned rpy(0, 0, 180) deg;
         }
         body Wheel { mass = 5 kg; com = [0, 0, 0] m; inertia = diag(0.03, 0.03, 0.05) kg*m^2 about com; }
 
-        Hub hub -> pin(z) axle -> Wheel wheel;
+        part Wing {
+            body Panel {
+                mass = 3 kg;
+                com = [0, 0.5, 0] m;
+                output = [0, 1, 0] m;
+                inertia = diag(0.25, 0.06, 0.31) kg*m^2 about com;
+            }
+            pin(x) root -> Panel inner -> repeat 2 { pin(x) fold -> Panel panel };
+            hinge root, fold { start = 40 deg; stiffness = 1 N*m/rad; damping = 4 N*m*s/rad; }
+        }
 
-        body hub { start_rate = [0.01, -0.02, 0.05] rad/s; }
+        Hub hub -> pin(z) axle -> Wheel wheel;
+        hub.left -> Wing left;
+        hub.right -> Wing right;
+
+        body hub { start_rate = [0.002, -0.004, 0.05] rad/s; }
         hinge axle { torque = input; }
     }
 }
 
 /// Returns the motor's torque in N m: the wheel stops the hub's rotation about z.
 fn control(state: &SatelliteState<f64>) -> SatelliteInputs<f64> {
-    SatelliteInputs { axle: (4.0 * state.hub().rate().z).clamp(-0.1, 0.1) }
+    SatelliteInputs { axle: (20.0 * state.hub().rate().z).clamp(-0.1, 0.1) }
 }
 
 fn main() -> Result<(), mstmm::Error> {
@@ -45,8 +61,9 @@ fn main() -> Result<(), mstmm::Error> {
             let momentum = satellite.momentum(&state, &satellite.no_inputs())?;
             let change = (momentum.angular - initial.angular).norm();
             println!(
-                "{:3.0} s   hub {:8.5} rad/s about z   wheel {:7.3} rad/s   change of momentum {change:.0e} N m s",
+                "{:3.0} s   wings {:5.1}°   hub {:8.5} rad/s about z   wheel {:7.3} rad/s   change of momentum {change:.0e} N m s",
                 state.time(),
+                state.left_root().angle().to_degrees(),
                 state.hub().rate().z,
                 state.axle().rate(),
             );
