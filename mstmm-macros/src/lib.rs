@@ -9,6 +9,8 @@ pub fn mstmm_chain_by(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let mstmm: TokenStream = tokens.next().into_iter().collect();
     let description: TokenStream = tokens.collect();
-    let expansion = mstmm_codegen::expand(description.into(), &mstmm.into());
+    let expand =
+        if cfg!(feature = "wide") { mstmm_codegen::expand_packed } else { mstmm_codegen::expand };
+    let expansion = expand(description.into(), &mstmm.into());
     expansion.items.into()
 }

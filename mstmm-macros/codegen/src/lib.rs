@@ -78,11 +78,24 @@ pub struct CheckedChain {
 ///
 /// `mstmm` is the path of the crate `mstmm` in generated code.
 pub fn expand(description: TokenStream, mstmm: &TokenStream) -> Expansion {
+    expand_with(description, mstmm, false)
+}
+
+/// Expands the text as [`expand`] does, and adds to each function the form with limbs of one shape side by side, for scalar
+/// types that have packs. It costs up to the same time again.
+pub fn expand_packed(description: TokenStream, mstmm: &TokenStream) -> Expansion {
+    expand_with(description, mstmm, true)
+}
+
+fn expand_with(description: TokenStream, mstmm: &TokenStream, is_packed: bool) -> Expansion {
     let (definitions, Checked { chains, errors, warnings }) = check_parsed(description);
     // The user's errors end here: the phases below cannot fail.
     let expand_chain = |CheckedChain { chain, passthrough, findings }: &CheckedChain| {
         let layout = model::Layout::of(chain);
-        let compiled = compile::compile(chain, findings, &layout);
+        let mut compiled = compile::compile(chain, findings, &layout);
+        if is_packed {
+            compiled.pack_limbs(chain, &layout);
+        }
         emit::expand(chain, passthrough, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &errors {

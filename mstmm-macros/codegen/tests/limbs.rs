@@ -17,7 +17,11 @@ const ANSWERS: &str = "answers = [basic, bias_efforts, kinematics, momentum, reg
 fn compiled(text: &str) -> Compiled {
     let chains = model_of(text);
     let (chain, findings) = &chains[0];
-    compile(chain, findings, &Layout::of(chain))
+    let layout = Layout::of(chain);
+    let mut compiled = compile(chain, findings, &layout);
+    assert!(compiled.functions.iter().all(|function| function.packed.is_none()));
+    compiled.pack_limbs(chain, &layout);
+    compiled
 }
 
 fn model_of(text: &str) -> Vec<(model::Chain, mstmm_codegen::examine::Findings)> {

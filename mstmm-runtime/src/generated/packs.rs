@@ -13,19 +13,3 @@ pub fn pack<T: Scalar, C: Columns<T>>(values: [T; 4]) -> C {
 pub fn lane<T: Scalar, C: Columns<T>>(pack: C, lane: usize) -> T {
     pack.column(lane)
 }
-
-/// Keeps code that only crates with the feature `wide` need.
-#[cfg(feature = "wide")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_wide_ {
-    ($($code:tt)*) => { $($code)* };
-}
-
-/// Drops code that only crates with the feature `wide` need.
-#[cfg(not(feature = "wide"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_wide_ {
-    ($($code:tt)*) => {};
-}

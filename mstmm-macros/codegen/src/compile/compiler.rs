@@ -1,7 +1,7 @@
 //! Traces a chain's equations: runs them on formulas.
 
 use super::point_storage::PointStorage;
-use super::{layouts, limbs, outputs};
+use super::{layouts, outputs};
 use crate::equations::{self, AXES, EvalContext, HingePivot, SymbolValues, Trace};
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
@@ -9,7 +9,7 @@ use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknown
 use crate::ids::ParameterId;
 use crate::math::PIVOT_ULPS;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, SolutionMethod, Value};
-use crate::passes::{Limbs, SetupSlots};
+use crate::passes::SetupSlots;
 use crate::program::{Argument, ArrayLayout, OutputId};
 
 /// A traced function, and the storage of connection points if the function computes them.
@@ -96,11 +96,6 @@ impl<'a> ChainCompiler<'a> {
     /// Returns the unknowns of the chain's functions.
     pub(super) fn unknowns(&self) -> &'a Unknowns {
         self.unknowns
-    }
-
-    /// Returns the limbs of one shape with their unknowns.
-    pub(super) fn limbs(&self) -> Limbs {
-        limbs::limbs(self.chain, self.layout, self.merged)
     }
 
     /// Returns the method for the accelerations.

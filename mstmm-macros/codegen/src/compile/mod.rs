@@ -29,7 +29,7 @@ use crate::examine::Findings;
 use crate::expr::Graph;
 use crate::function::Unknowns;
 use crate::model::{Answer, Chain, Check, Layout, SolutionMethod};
-use crate::passes::SetupSlots;
+use crate::passes::{SetupSlots, pack_limbs};
 use crate::program::Procedure;
 use compiler::ChainCompiler;
 use function_table::{FUNCTIONS, FunctionSpec};
@@ -58,7 +58,7 @@ pub struct CompiledFunction {
     pub answer: Option<Answer>,
     /// Its procedure.
     pub procedure: Procedure,
-    /// The same procedure with limbs of one shape side by side, if that saves operations.
+    /// The same procedure with limbs of one shape side by side: after [`Compiled::pack_limbs`], if that saves operations.
     pub packed: Option<Procedure>,
 }
 
@@ -66,6 +66,14 @@ impl Compiled {
     /// Returns the function for an answer, if the chain has it.
     pub fn find(&self, answer: Answer) -> Option<&CompiledFunction> {
         self.functions.iter().find(|function| function.answer == Some(answer))
+    }
+
+    /// Adds the packed forms of the functions of a chain.
+    pub fn pack_limbs(&mut self, chain: &Chain, layout: &Layout) {
+        let limbs = limbs::limbs(chain, layout, &Layout::merged(chain));
+        for function in &mut self.functions {
+            function.packed = pack_limbs(&function.procedure, &limbs);
+        }
     }
 
     /// Returns the function for an answer that every chain has.
@@ -96,12 +104,12 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             storage = traced.storage.unwrap_or(storage);
             ordered.push((spec, pipeline::order(traced.function, &mut setup)));
         }
-        let limbs = compiler.limbs();
         let checks = chain.checks();
         let of_setup = pipeline::order(compiler.setup(&setup, &checks), &mut SetupSlots::default());
-        let finish = |answer, ordered, tests| {
-            let (procedure, packed) = pipeline::finish(ordered, tests, (&setup, &limbs));
-            CompiledFunction { answer, procedure, packed }
+        let finish = |answer, ordered, tests| CompiledFunction {
+            answer,
+            procedure: pipeline::finish(ordered, tests, &setup),
+            packed: None,
         };
         let setup_function = finish(None, of_setup, None);
         let functions = ordered.into_iter();

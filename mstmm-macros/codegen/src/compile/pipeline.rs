@@ -3,8 +3,8 @@
 
 use crate::function::Function;
 use crate::passes::{
-    Checks, Limbs, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
-    list_schedule, lower, pack_limbs, reassociate,
+    Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
+    list_schedule, lower, reassociate,
 };
 use crate::program::{Procedure, Program};
 
@@ -42,14 +42,7 @@ pub(super) fn readable(function: Function, setup: &mut SetupSlots) -> Program {
     linearize(&run(function, &SIMPLIFY), setup)
 }
 
-/// Adds loads, tests and stores, once all slots are known. Returns the procedure, and the same procedure with limbs of one
-/// shape side by side, if that saves operations.
-pub(super) fn finish(
-    ordered: Ordered,
-    checks: Option<Checks>,
-    (setup, limbs): (&SetupSlots, &Limbs),
-) -> (Procedure, Option<Procedure>) {
-    let procedure = lower(ordered.program, &ordered.function, checks, setup);
-    let packed = pack_limbs(&procedure, limbs).map(early_stores);
-    (early_stores(procedure), packed)
+/// Adds loads, tests and stores, once all slots are known.
+pub(super) fn finish(ordered: Ordered, checks: Option<Checks>, setup: &SetupSlots) -> Procedure {
+    early_stores(lower(ordered.program, &ordered.function, checks, setup))
 }

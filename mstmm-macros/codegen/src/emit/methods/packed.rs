@@ -9,7 +9,7 @@ use proc_macro2::{Ident, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
 /// Returns the statements that call the packed form of a function, and the private method with this form. Both are empty if
-/// there is none, and both are left out of crates without the feature `wide`.
+/// there is none.
 pub(super) fn emit(cx: &EmitContext, function: &CompiledFunction) -> (TokenStream, TokenStream) {
     let (Some(answer), Some(procedure)) = (function.answer, &function.packed) else {
         return (TokenStream::new(), TokenStream::new());
@@ -24,17 +24,13 @@ pub(super) fn emit(cx: &EmitContext, function: &CompiledFunction) -> (TokenStrea
     let statements = cx.procedure_of_packs(procedure, &fresh(answer), |id| destination(cx, id));
     let body = body(quote!(#opening #statements), end);
     let dispatch = quote! {
-        #mstmm::if_wide_! {
-            if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT > 1 {
-                return self.#name::<<T as #mstmm::Scalar>::Pack>(#(#passed),*);
-            }
+        if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT > 1 {
+            return self.#name::<<T as #mstmm::Scalar>::Pack>(#(#passed),*);
         }
     };
     let method = quote! {
-        #mstmm::if_wide_! {
-            #[allow(unused_doc_comments, unused_variables, clippy::all)]
-            fn #name<C: #mstmm::Columns<T>>(&self, #arguments) -> #returns #body
-        }
+        #[allow(unused_doc_comments, unused_variables, clippy::all)]
+        fn #name<C: #mstmm::Columns<T>>(&self, #arguments) -> #returns #body
     };
     (dispatch, method)
 }
