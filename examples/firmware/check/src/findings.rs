@@ -19,7 +19,7 @@ const MOST_DATA: u64 = 64;
 
 /// The most instructions that a failed step searches for the value that is not finite: about five for each value of
 /// the state and the inputs, of which a case has up to 30.
-const MOST_SEARCH: u32 = 160;
+const MOST_SEARCH: u32 = 200;
 
 /// Parts of the names of functions that emulate double precision by integers.
 const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
