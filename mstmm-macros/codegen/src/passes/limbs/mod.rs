@@ -6,7 +6,7 @@
 //! a zero may have the other sign, since the negative of a sum that cancels is −0.
 //!
 //! 1. [`Classes`] finds which values belong to a limb, and which of them correspond: those that are computed by the same
-//!    operation of corresponding values, up to signs. Legs that are mirrored have the same formulas with other signs.
+//!    operation from corresponding values, up to signs. Legs that are mirrored have the same formulas with other signs.
 //! 2. [`Packing`] writes the statements. A pack may have the negatives of some of its values; a sum whose terms have
 //!    different signs in different lanes is preceded by a product with a pack of ±1, which is exact.
 //!
@@ -21,11 +21,10 @@ use classes::Classes;
 use packing::Packing;
 use std::collections::HashMap;
 
-/// The number of lanes of a pack, and the largest number of limbs side by side. A lane without a limb of its own repeats
-/// the last one.
+/// The number of lanes of a pack, and the largest number of limbs side by side. A lane without a limb repeats another limb.
 pub const PACK: usize = 4;
 
-/// The smallest number of statements of a procedure that is worth a second form.
+/// The smallest number of statements of a procedure that justifies a second form.
 const SMALLEST: usize = 100;
 
 /// The largest share of a procedure's operations that may be left. A pack costs more than a scalar: its values are read
