@@ -7,8 +7,7 @@ use common::given::Given;
 use common::interpreter::{Failed, run};
 use mstmm_codegen::compile::{Compiled, compile};
 use mstmm_codegen::model::{self, Answer, Layout};
-use mstmm_codegen::passes::PACK;
-use mstmm_codegen::program::{Argument, ArrayRole, Procedure, Statement};
+use mstmm_codegen::program::{Argument, ArrayRole, PACK, Procedure, Statement};
 use mstmm_reference::Random;
 
 /// Answers that are generated on request.
@@ -225,4 +224,32 @@ fn both_forms_fail_alike() {
             assert_eq!(results(procedure, &given), Err(Failed::NotFinite), "coordinate {broken}");
         }
     }
+}
+
+/// The packing of long limbs needs no deep stack, also if they differ.
+#[test]
+fn long_limbs_are_packed() {
+    let limb = |name: &str, sign: &str| -> String {
+        let hinge = |k: usize| {
+            let axis = ["x", "y", "z"][(k * k) % 3];
+            format!("pin({axis}) {name}h{k} -> Link {name}b{k}")
+        };
+        let hinges: Vec<String> = (0..40).map(hinge).collect();
+        format!(
+            "trunk.{name} -> {};\nhinge {name}h3 {{ damping = 0.1; stiffness = {sign}; }}\n",
+            hinges.join(" -> ")
+        )
+    };
+    let text = format!(
+        "pub chain Octopus {{ gravity = [0, 0, -9.81] m/s^2;
+           body Link {{ mass = 1 kg; com = [0.1, 0.02, 0] m; output = [0.2, 0, 0] m turned rpy(10, 0, 20) deg;
+             inertia = tensor(0.1, 0.2, 0.2, 0.01, 0, 0) kg*m^2 about com; }}
+           body Trunk {{ mass = 50 kg; com = [0, 0, 0.1] m; inertia = diag(5, 6, 7) kg*m^2 about com;
+             point a = [0.4, 0.1, 0] m; point b = [-0.4, 0.2, 0] m turned rpy(0, 0, 170) deg; point c = [0, 0.5, 0] m; }}
+           Trunk trunk; {}{}{} }}",
+        limb("a", "1"),
+        limb("b", "2"),
+        limb("c", "3"),
+    );
+    assert!(compare(&mut Random::new(1), &text) > 0);
 }

@@ -2,8 +2,8 @@
 
 use crate::ids::LoadId;
 use crate::model::{Chain, InputKind, Layout, LimbGroup, Link, limb_groups};
-use crate::passes::{Leaf, Limb, LimbQuantity, Limbs, PACK};
-use crate::program::{Argument, Given};
+use crate::passes::{Leaf, Limb, LimbQuantity, Limbs};
+use crate::program::{Argument, Given, PACK};
 use std::collections::HashMap;
 
 /// The given vectors that have one entry for each rate.

@@ -39,7 +39,7 @@ mod setup;
 pub use early_stores::early_stores;
 pub use factor::factor;
 pub use fuse_loops::fuse_loops;
-pub use limbs::{Leaf, Limb, LimbQuantity, Limbs, PACK, pack_limbs};
+pub use limbs::{Leaf, Limb, LimbQuantity, Limbs, pack_limbs};
 pub use linearize::linearize;
 pub use list_schedule::list_schedule;
 pub use live::Live;

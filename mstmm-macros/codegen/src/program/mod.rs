@@ -28,6 +28,9 @@ declare_id! {
     BlockId,
 }
 
+/// The number of lanes of a pack, and the largest number of limbs side by side. A lane without a limb repeats another limb.
+pub const PACK: usize = 4;
+
 /// The statements of a function, in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {

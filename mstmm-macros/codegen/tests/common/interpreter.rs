@@ -2,10 +2,10 @@
 //! every machine.
 
 use mstmm_codegen::math::Scalar;
-use mstmm_codegen::passes::PACK;
 use mstmm_codegen::program::{
     Argument, Array, ArrayId, ArrayRole, ArraySlice, CheckId, Failure, ForLoop, Operand, Operation,
-    OutputId, PivotValue, Procedure, Repetition, ResultCheck, Statement, Step, ValueId, Witness,
+    OutputId, PACK, PivotValue, Procedure, Repetition, ResultCheck, Statement, Step, ValueId,
+    Witness,
 };
 use std::collections::HashMap;
 

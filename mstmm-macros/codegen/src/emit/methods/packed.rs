@@ -1,10 +1,12 @@
 //! Methods with limbs of one shape side by side, for scalar types that have packs.
 
 use super::super::EmitContext;
+use super::super::arrays::usize_literal;
 use super::super::names::helper;
 use super::super::procedure::body;
 use super::{MethodTemplate, column_products, fresh, template};
 use crate::compile::CompiledFunction;
+use crate::program::PACK;
 use proc_macro2::{Ident, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
@@ -17,14 +19,14 @@ pub(super) fn emit(cx: &EmitContext, function: &CompiledFunction) -> (TokenStrea
     if column_products::is_used(cx, answer) {
         return (TokenStream::new(), TokenStream::new());
     }
-    let mstmm = &cx.mstmm;
+    let (mstmm, lanes) = (&cx.mstmm, usize_literal(PACK));
     let MethodTemplate { arguments, returns, opening, end, destination, .. } = template(cx, answer);
     let name = helper(&format!("{}_packed", answer.name()));
     let passed = names(&arguments);
     let statements = cx.procedure_of_packs(procedure, &fresh(answer), |id| destination(cx, id));
     let body = body(quote!(#opening #statements), end);
     let dispatch = quote! {
-        if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT > 1 {
+        if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT >= #lanes {
             return self.#name::<<T as #mstmm::Scalar>::Pack>(#(#passed),*);
         }
     };

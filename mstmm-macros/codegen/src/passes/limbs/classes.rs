@@ -173,20 +173,20 @@ impl Builder<'_> {
     fn add(&mut self, statement: &Statement) {
         match statement {
             Statement::Let(value, operation) => {
-                let level = self.level(operation.operands().into_iter().flatten());
+                let operands = || operation.operands().into_iter().flatten();
+                let canonical = self.classes.canonical(operation);
+                let limb = self.limb(operands()).filter(|_| canonical.is_some());
+                let level = self.level(limb, operands());
                 self.classes.levels[value.index()] = level;
-                let Some(limb) = self.limb(operation.operands().into_iter().flatten()) else {
-                    return;
-                };
-                let Some(canonical) = self.classes.canonical(operation) else { return };
+                let (Some(limb), Some(canonical)) = (limb, canonical) else { return };
                 let terms = canonical.operands.iter().map(|it| self.classes.term(it)).collect();
                 self.insert(*value, limb, Key::Formula(level, canonical.form, terms));
             }
             Statement::SinCos { sines, cosines, angles } => {
                 for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
-                    let level = self.level(std::iter::once(angle));
-                    let (limb, term) =
-                        (self.limb(std::iter::once(angle)), self.classes.term(angle));
+                    let limb = self.limb(std::iter::once(angle));
+                    let level = self.level(limb, std::iter::once(angle));
+                    let term = self.classes.term(angle);
                     let keys = [(sine, Key::Sine(level, term)), (cosine, Key::Cosine(level, term))];
                     for (value, key) in keys {
                         let Some(value) = *value else { continue };
@@ -212,15 +212,13 @@ impl Builder<'_> {
         limbs.all(|other| other == first).then_some(first)
     }
 
-    /// Returns the level of a value with these operands.
-    fn level<'a>(&self, operands: impl Iterator<Item = &'a Operand> + Clone) -> u32 {
-        let values = operands.clone().filter_map(Operand::value);
-        let is_joined = self.limb(operands).is_none();
+    /// Returns the level of a value of this limb, or of none, with these operands.
+    fn level<'a>(&self, limb: Option<Limb>, operands: impl Iterator<Item = &'a Operand>) -> u32 {
         let level = |value: ValueId| {
-            let leaves_limb = is_joined && self.classes.of[value.index()].is_some();
+            let leaves_limb = limb.is_none() && self.classes.of[value.index()].is_some();
             self.classes.levels[value.index()] + u32::from(leaves_limb)
         };
-        values.map(level).max().unwrap_or(0)
+        operands.filter_map(Operand::value).map(level).max().unwrap_or(0)
     }
 
     /// Adds a value. The order of values with equal keys in a limb distinguishes them.

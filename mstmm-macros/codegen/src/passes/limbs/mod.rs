@@ -3,7 +3,8 @@
 //! The four legs of a robot have the same equations with different values. Where a processor has SIMD registers, one
 //! operation on four lanes takes as long as an operation on a scalar. The pass finds the statements of the limbs that
 //! correspond to each other, and replaces them by a single statement on packs. All values stay the same, bit for bit; only
-//! a zero may have the other sign, since the negative of a sum that cancels is −0.
+//! a zero may have the other sign, since the negative of a sum that cancels is −0. The sign of a zero decides nothing but
+//! which of the two rotation vectors a ball with a spring has at exactly half a turn.
 //!
 //! 1. [`Classes`] finds which values belong to a limb, and which of them correspond: those that are computed by the same
 //!    operation from corresponding values, up to signs. Legs that are mirrored have the same formulas with other signs.
@@ -21,9 +22,6 @@ use classes::Classes;
 use packing::Packing;
 use std::collections::HashMap;
 
-/// The number of lanes of a pack, and the largest number of limbs side by side. A lane without a limb repeats another limb.
-pub const PACK: usize = 4;
-
 /// The smallest number of statements of a procedure that justifies a second form.
 const SMALLEST: usize = 100;
 
@@ -34,7 +32,7 @@ const WORTHWHILE: f64 = 0.9;
 /// The limbs of one shape, and the entries of arguments that belong to them.
 #[derive(Clone, Debug, Default)]
 pub struct Limbs {
-    /// The number of limbs in each group, two to [`PACK`].
+    /// The number of limbs in each group, two to [`PACK`](crate::program::PACK).
     pub sizes: Vec<usize>,
     /// What an entry of an argument is to its limb; none for entries that belong to no limb.
     pub leaves: HashMap<(Argument, usize), Leaf>,
@@ -79,8 +77,8 @@ pub enum LimbQuantity {
     Load(usize),
 }
 
-/// Returns a procedure with limbs of one shape side by side; none if that saves too few operations, or if the procedure has
-/// loops.
+/// Returns a procedure with limbs of one shape side by side; none if that saves too few operations or cannot be ordered, or
+/// if the procedure has loops.
 pub fn pack_limbs(procedure: &Procedure, limbs: &Limbs) -> Option<Procedure> {
     let has_loops = procedure.body.iter().any(|step| matches!(step, Step::Loop(_)));
     let before = operations(procedure);
@@ -88,7 +86,7 @@ pub fn pack_limbs(procedure: &Procedure, limbs: &Limbs) -> Option<Procedure> {
         return None;
     }
     let classes = Classes::of(procedure, limbs);
-    let packed = Packing::new(procedure, &classes).run();
+    let packed = Packing::new(procedure, &classes).run()?;
     ((operations(&packed) as f64) <= WORTHWHILE * before as f64).then_some(packed)
 }
 

@@ -1,9 +1,8 @@
 //! Writes the statements of a packed procedure.
 
-use super::PACK;
 use super::classes::{Canonical, ClassId, Classes, Form};
 use crate::program::{
-    Operand, Operation, Procedure, Section, Statement, Step, ValueId, ValueNames,
+    Operand, Operation, PACK, Procedure, Section, Statement, Step, ValueId, ValueNames,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -29,6 +28,10 @@ pub(super) struct Packing<'a> {
     is_done: Vec<bool>,
     /// The pack of each class that has been computed, and its signs.
     packs: Vec<Option<(ValueId, Signs)>>,
+    /// Whether the pack of a class has been begun.
+    is_open: Vec<bool>,
+    /// Whether a pack needs itself. Levels exclude it, except through the sines and cosines of one statement.
+    is_circular: bool,
     /// The packs of scalars: values and numbers.
     gathered: HashMap<Vec<Gathered>, ValueId>,
     /// The products of packs with ±1.
@@ -56,6 +59,8 @@ impl<'a> Packing<'a> {
             is_result: vec![false; count],
             is_done: vec![true; count],
             packs: vec![None; classes.count()],
+            is_open: vec![false; classes.count()],
+            is_circular: false,
             gathered: HashMap::new(),
             flipped: HashMap::new(),
             names: procedure.values.clone(),
@@ -74,8 +79,8 @@ impl<'a> Packing<'a> {
         packing
     }
 
-    /// Returns the packed procedure. A pack is computed where the first of its values was.
-    pub fn run(mut self) -> Procedure {
+    /// Returns the packed procedure; none if a pack needs itself. A pack is computed where the first of its values was.
+    pub fn run(mut self) -> Option<Procedure> {
         let mut body = Vec::new();
         for step in &self.procedure.body {
             match step {
@@ -91,7 +96,8 @@ impl<'a> Packing<'a> {
                 _ => body.push(step.clone()),
             }
         }
-        Procedure { values: self.names, body, ..self.procedure.clone() }
+        let is_complete = !self.is_circular;
+        is_complete.then(|| Procedure { values: self.names, body, ..self.procedure.clone() })
     }
 
     /// Computes a value, in a pack if all limbs have it.
@@ -140,6 +146,12 @@ impl<'a> Packing<'a> {
             return;
         }
         let members: Vec<(usize, ValueId)> = self.classes.members(class).collect();
+        if std::mem::replace(&mut self.is_open[class.index()], true) {
+            // The procedure is given up: any value ends the circle.
+            self.is_circular = true;
+            self.packs[class.index()] = Some((members[0].1, [false; PACK]));
+            return;
+        }
         let operations: Vec<(usize, Canonical)> =
             members.iter().map(|&(lane, value)| (lane, self.operation(value))).collect();
         let count = operations[0].1.operands.len();
