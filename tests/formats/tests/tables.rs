@@ -113,7 +113,8 @@ fn points_of_bodies_in_space_are_tables() -> Result<(), mstmm::Error> {
     let mut at = arm.workspace();
     arm.solve_into(&state, &arm.no_inputs(), &mut at)?;
     let (tool, input) = (at.lower().tool(), at.lower().input());
-    let [x, y, z] = input.orientation().matrix().row_iter().map(|row| row.transpose()).collect::<Vec<_>>()[..]
+    let [x, y, z] =
+        input.orientation().matrix().row_iter().map(|row| row.transpose()).collect::<Vec<_>>()[..]
     else {
         panic!("three rows")
     };
@@ -131,7 +132,8 @@ fn points_of_bodies_in_space_are_tables() -> Result<(), mstmm::Error> {
     assert_eq!(text.lines().count(), expected.len(), "{text}");
     for (line, (label, value, unit)) in text.lines().zip(&expected) {
         let words: Vec<String> = value.iter().map(|value| format!("{value:.3}")).collect();
-        let found: Vec<&str> = line[label.len()..].trim_end_matches(unit).split_whitespace().collect();
+        let found: Vec<&str> =
+            line[label.len()..].trim_end_matches(unit).split_whitespace().collect();
         assert!(line.starts_with(label) && line.ends_with(unit), "{text}");
         assert_eq!(found, words, "{text}");
     }
