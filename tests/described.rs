@@ -2,6 +2,8 @@
 
 #[path = "described/answers.rs"]
 mod answers;
+#[path = "described/geometry.rs"]
+mod geometry;
 #[path = "described/inertia.rs"]
 mod inertia;
 #[path = "described/lists.rs"]

@@ -6,7 +6,7 @@ use mstmm::nalgebra::Vector3;
 use mstmm::{ChainState, Described, GeneratedChain};
 
 /// Moves all rates of the start, and drives all inputs.
-fn solved<C: Described<Scalar = f64>>(chain: &C) -> (C::State, C::Workspace) {
+pub fn solved<C: Described<Scalar = f64>>(chain: &C) -> (C::State, C::Workspace) {
     let mut state = chain.initial_state();
     for (index, rate) in state.rates_mut().iter_mut().enumerate() {
         *rate = 0.1 + 0.01 * index as f64;

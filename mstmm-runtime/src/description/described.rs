@@ -1,9 +1,12 @@
 //! The trait of chains that describe themselves.
 
+use super::geometry::{WrittenVectors, direction};
 use super::origin;
 use super::results::{Arrays, spring, spring_len};
 use super::values::{Search, Values};
-use super::{BodyInertia, Description, Dimension, PointResult, WrittenInertia};
+use super::{
+    BodyInertia, Description, Dimension, HingeAxis, PointResult, Spring, SpringEnd, WrittenInertia,
+};
 use crate::origin::Origin;
 use crate::{Energy, Error, GeneratedChain, SpringResult};
 
@@ -103,6 +106,37 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
         Some(written.about_com(Self::DESCRIPTION.dimension))
     }
 
+    /// Returns the ends of a spring with the parameters as they are set, by its index in [`Description::springs`]: that of
+    /// `on`, then that of `to`. `None` if there is no such spring.
+    ///
+    /// The tension of the spring acts along the line between them, and their distance is its length.
+    fn spring_ends(&self, spring: usize) -> Option<[SpringEnd<Self::Scalar>; 2]> {
+        let at = Self::DESCRIPTION.springs.entry(spring, |_| 1)?;
+        let [on, to] = at.row.ends();
+        let positions = [on, to].map(|end| end.position(at.repetition));
+        let mut written = WrittenVectors::new(at.number, at.repetition, positions);
+        self.change_ends_(&mut written);
+        let [first, second] = written.vectors;
+        let end = |body, position: [Self::Scalar; 3]| SpringEnd { body, position: position.into() };
+        Some([end(on.body(at.repetition), first), end(to.body(at.repetition), second)])
+    }
+
+    /// Returns an axis of a hinge with the parameters as they are set, by the index of the hinge in
+    /// [`Description::hinges`] and the index of the axis. `None` if there is no such hinge, or if it has fewer axes; see
+    /// [`Hinge::axis_count`](super::Hinge::axis_count).
+    fn hinge_axis(&self, hinge: usize, axis: usize) -> Option<HingeAxis<Self::Scalar>> {
+        let at = Self::DESCRIPTION.hinges.entry(hinge, |_| 1)?;
+        let [input, output] = at.row.points(at.repetition)?;
+        let point = match (at.row.axis_count(), axis) {
+            (2, 0) => input,
+            (count, axis) if axis < count => output,
+            _ => return None,
+        };
+        let mut written = WrittenVectors::new(at.number, at.repetition, at.row.axes());
+        self.change_axes_(&mut written);
+        written.vectors.get(axis).map(|it| HingeAxis { point, direction: direction(*it) })
+    }
+
     /// Returns the accelerations in a workspace, in the order of [`Description::accelerations`].
     #[must_use]
     fn accelerations(at: &Self::Workspace) -> &[Self::Scalar] {
@@ -145,7 +179,7 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
         at: &Self::Workspace,
         index: usize,
     ) -> Option<SpringResult<Self::Scalar, [Self::Scalar; 3]>> {
-        let count: fn(&&'static str) -> usize = match Self::DESCRIPTION.dimension {
+        let count: fn(&Spring) -> usize = match Self::DESCRIPTION.dimension {
             Dimension::Space => |_| spring_len(Dimension::Space),
             Dimension::Plane => |_| spring_len(Dimension::Plane),
             Dimension::Line => |_| spring_len(Dimension::Line),
@@ -166,6 +200,18 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     #[doc(hidden)]
     fn change_inertia_(&self, inertia: &mut WrittenInertia<Self::Scalar>) {
         let _ = inertia;
+    }
+
+    /// Sets the components of the ends of a spring that parameters change; for generated code.
+    #[doc(hidden)]
+    fn change_ends_(&self, ends: &mut WrittenVectors<Self::Scalar>) {
+        let _ = ends;
+    }
+
+    /// Sets the components of the axes of a hinge that parameters change; for generated code.
+    #[doc(hidden)]
+    fn change_axes_(&self, axes: &mut WrittenVectors<Self::Scalar>) {
+        let _ = axes;
     }
 
     /// Copies the scalars of inputs in their order; for generated code.

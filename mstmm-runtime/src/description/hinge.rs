@@ -1,5 +1,6 @@
 //! Hinges: their kinds, coordinates and rates.
 
+use super::geometry::Indices;
 use super::items::Element;
 use super::part::{Part, QuantityKind};
 
@@ -78,7 +79,16 @@ impl HingeShape {
     /// Makes a hinge of this kind.
     #[must_use]
     pub const fn named(self, path: &'static str) -> Hinge {
-        Hinge { path, shape: self, is_prescribed: false, start: &[], start_rate: &[], limits: &[] }
+        Hinge {
+            path,
+            shape: self,
+            is_prescribed: false,
+            start: &[],
+            start_rate: &[],
+            limits: &[],
+            points: None,
+            axes: &[],
+        }
     }
 }
 
@@ -91,6 +101,10 @@ pub struct Hinge {
     start: &'static [f64],
     start_rate: &'static [f64],
     limits: &'static [[f64; 2]],
+    /// The connection points at its input and its output.
+    points: Option<[Indices; 2]>,
+    /// Its axes as written, with default parameters.
+    axes: &'static [[f64; 3]],
 }
 
 #[doc(hidden)]
@@ -106,6 +120,28 @@ impl Hinge {
     #[must_use]
     pub const fn starting(mut self, start: &'static [f64], rate: &'static [f64]) -> Self {
         (self.start, self.start_rate) = (start, rate);
+        self
+    }
+
+    /// Sets the indices of the connection points at its input and its output.
+    #[must_use]
+    pub const fn between(mut self, input: usize, output: usize) -> Self {
+        self.points = Some([Indices::new([input, input, 0]), Indices::new([output, output, 0])]);
+        self
+    }
+
+    /// Sets these indices for each repetition: those in the first and the second one, and the difference from each later
+    /// one to the next.
+    #[must_use]
+    pub const fn between_each(mut self, input: [usize; 3], output: [usize; 3]) -> Self {
+        self.points = Some([Indices::new(input), Indices::new(output)]);
+        self
+    }
+
+    /// Sets its axes: components in the frame of its output, of the first of two axes in that of its input.
+    #[must_use]
+    pub const fn about(mut self, axes: &'static [[f64; 3]]) -> Self {
+        self.axes = axes;
         self
     }
 
@@ -142,6 +178,25 @@ impl Hinge {
         let dofs = self.shape.dofs.iter().zip(self.limits);
         let mut quaternions = dofs.filter(|(dofs, _)| dofs.kinds[0] == QuantityKind::Quaternion);
         quaternions.next().map(|(_, [_, high])| *high).filter(|high| !high.is_nan())
+    }
+
+    /// Returns the number of its axes: two of a universal hinge; one of a pin, a slider, a screw, a cylindrical and a planar
+    /// hinge; none of others and of the motion of a moving end.
+    ///
+    /// [`Described::hinge_axis`](super::Described::hinge_axis) returns an axis.
+    #[must_use]
+    pub fn axis_count(&self) -> usize {
+        self.axes.len()
+    }
+
+    pub(super) fn points(&self, repetition: usize) -> Option<[usize; 2]> {
+        self.points.map(|points| points.map(|point| point.at(repetition)))
+    }
+
+    /// Returns its axes as written; those that it does not have are zero.
+    pub(super) fn axes(&self) -> [[f64; 3]; 2] {
+        let axis = |index: usize| self.axes.get(index).copied().unwrap_or_default();
+        [axis(0), axis(1)]
     }
 
     /// Returns the number of its coordinates in the state.

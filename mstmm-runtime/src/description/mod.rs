@@ -37,6 +37,7 @@
 mod answers;
 mod body;
 mod described;
+mod geometry;
 mod hinge;
 mod items;
 mod name;
@@ -56,6 +57,9 @@ pub use body::WrittenInertia;
 pub use body::{Body, BodyInertia};
 pub use described::Described;
 pub(crate) use described::no_parameter;
+pub use geometry::{HingeAxis, Spring, SpringEnd};
+#[doc(hidden)]
+pub use geometry::{Indices, WrittenEnd, WrittenVectors};
 pub use hinge::{Dofs, Hinge, HingeShape};
 pub use items::{Item, Items};
 pub use name::Name;
@@ -90,7 +94,7 @@ pub struct Description {
     dimension: Dimension,
     hinges: Table<Hinge>,
     bodies: Table<Body>,
-    springs: Table<Place>,
+    springs: Table<Spring>,
     points: Table<Place>,
     inputs: Table<Input>,
     parameters: Table<Parameter>,
@@ -195,7 +199,7 @@ impl Description {
 
     /// Returns the springs between bodies, or between a body and the ground.
     #[must_use]
-    pub const fn springs(&self) -> Items<Place> {
+    pub const fn springs(&self) -> Items<Spring> {
         Items::new(self.springs)
     }
 
@@ -268,6 +272,14 @@ impl Description {
     pub fn rates_of(&self, hinge: usize) -> Option<core::ops::Range<usize>> {
         self.hinges.range(hinge, Hinge::rate_count)
     }
+
+    /// Returns the indices of the connection points at the input and the output of a hinge. `None` of the motion of a
+    /// moving end, which is not between two points of the chain.
+    #[must_use]
+    pub fn points_of_hinge(&self, hinge: usize) -> Option<[usize; 2]> {
+        let at = self.hinges.entry(hinge, |_| 1)?;
+        at.row.points(at.repetition)
+    }
 }
 
 impl Description {
@@ -297,7 +309,7 @@ impl Description {
 
     /// Sets the springs.
     #[must_use]
-    pub const fn sprung(mut self, rows: &'static [Place]) -> Self {
+    pub const fn sprung(mut self, rows: &'static [Spring]) -> Self {
         self.springs = Table::new(rows);
         self
     }

@@ -1,9 +1,9 @@
-//! The rows of inputs, parameters, springs and connection points.
+//! The rows of inputs, parameters and connection points.
 
 use super::items::Element;
 use super::part::{Part, QuantityKind};
 
-/// The path of a spring or a connection point; `[]` is where the index of a repetition belongs.
+/// The path of a connection point; `[]` is where the index of a repetition belongs.
 pub type Place = &'static str;
 
 impl Element for Place {

@@ -4,13 +4,13 @@
 //! user's constants.
 
 use crate::description::{
-    Description, Dimension, Dofs, Geometry, HingeShape, Input, Parameter, QuantityKind, Shape,
-    WrittenInertia, no_parameter,
+    Description, Dimension, Dofs, Geometry, HingeShape, Indices, Input, Parameter, QuantityKind,
+    Shape, Spring, WrittenEnd, WrittenInertia, no_parameter,
 };
 
 pub use crate::description::{
     Arrays as Arrays_, HingeShape as Shape_, PointResult as PointResult_,
-    WrittenInertia as Inertia_,
+    WrittenInertia as Inertia_, WrittenVectors as Vectors_,
 };
 
 /// The result of setting a parameter.
@@ -118,6 +118,31 @@ pub const fn sphere_(radius: f64) -> Geometry {
 #[must_use]
 pub const fn mesh_(file: &'static str) -> Geometry {
     Geometry::Mesh(file)
+}
+
+/// Makes a spring from its path and its ends.
+#[must_use]
+pub const fn spring_(path: &'static str, ends: [WrittenEnd; 2]) -> Spring {
+    Spring::new(path, ends)
+}
+
+/// Makes an end of a spring on the ground.
+#[must_use]
+pub const fn grounded_(at: [f64; 3]) -> WrittenEnd {
+    WrittenEnd::new(None, [at; 2])
+}
+
+/// Makes an end of a spring on a body.
+#[must_use]
+pub const fn fixed_(body: usize, at: [f64; 3]) -> WrittenEnd {
+    WrittenEnd::new(Some(Indices::new([body, body, 0])), [at; 2])
+}
+
+/// Makes an end of a spring on a body of each repetition, from the indices of the body in the first and in the second
+/// repetition, the difference from each later one to the next, and the points in the first and in the later ones.
+#[must_use]
+pub const fn fixed_each_(bodies: [usize; 3], at: [[f64; 3]; 2]) -> WrittenEnd {
+    WrittenEnd::new(Some(Indices::new(bodies)), at)
 }
 
 /// Makes a parameter from its path, its unit and its default.

@@ -6,7 +6,7 @@ use super::point_access::{PointIndex, point_type};
 use super::quaternions;
 use super::{EmitContext, body};
 use crate::ids::PointId;
-use crate::model::{BodyId, ElementPoints, Hinge, HingeId, ViewArgument};
+use crate::model::{BodyId, Hinge, HingeId, ViewArgument};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -278,13 +278,8 @@ pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize)
 
 /// Returns statements that bind `input` and `output` of a repeated element, and the index of its input.
 fn ends(cx: &EmitContext, element: usize, count: usize) -> TokenStream {
-    let ElementPoints { input, previous, output } = cx.ends(element);
-    let [input, output] = [input, output].map(|point| cx.point_index(point));
-    // The index of the input in the first repetition and in the second, and the difference of later ones.
-    let (first, second, stride) = match previous.map(|point| cx.point_index(point)) {
-        None => (input.first, input.first + input.stride, input.stride),
-        Some(previous) => (input.last, previous.first, previous.stride),
-    };
+    let output = cx.point_index(cx.ends(element).output);
+    let [first, second, stride] = cx.repeated_input(element);
     let is_affine = first + stride == second;
     let out = match is_affine && first + 1 == output.first {
         true => quote!(first_ + 1),

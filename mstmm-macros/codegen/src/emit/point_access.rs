@@ -102,6 +102,17 @@ impl EmitContext<'_> {
         let stride = if segment.repeat.is_some() { segment.count } else { 0 };
         PointIndex { first, stride, last: first + stride * (segment.repetitions - 1) }
     }
+
+    /// Returns the index of the input of a repeated element in the first and in the second repetition, and the difference
+    /// from each later one to the next.
+    pub fn repeated_input(&self, element: usize) -> [usize; 3] {
+        let ElementPoints { input, previous, .. } = self.ends(element);
+        let input = self.point_index(input);
+        match previous.map(|point| self.point_index(point)) {
+            None => [input.first, input.first + input.stride, input.stride],
+            Some(previous) => [input.last, previous.first, previous.stride],
+        }
+    }
 }
 
 /// Returns the expression for all points.

@@ -731,7 +731,15 @@ impl<T: ::mstmm::Scalar> ::mstmm::Described for Pendulum<T> {
             true,
         );
         describe_("Pendulum", "A rod on a motor.", 3)
-            .hinged(&[PIN_.named("joint").starting(&[-1.5707963267948966], &[0.0])])
+            .hinged(
+                &[
+                    PIN_
+                        .named("joint")
+                        .starting(&[-1.5707963267948966], &[0.0])
+                        .between(0, 1)
+                        .about(&[[0.0, 0.0, 1.0]]),
+                ],
+            )
             .bodied(&[BODY0_.named("rod", "Rod")])
             .connected(&["joint.input", "rod.input", "rod.output"])
             .driven(&[torque_("joint", "")])

@@ -1,7 +1,8 @@
-//! The tables of hinges, springs and connection points, and the list of answers.
+//! The tables of hinges and connection points, and the list of answers.
 
 use super::super::EmitContext;
-use super::row::{Row, default, indexed};
+use super::geometry;
+use super::row::{Row, default, described_hinges, indexed};
 use crate::ids::{HingeId, PointId, RepeatId};
 use crate::model::{
     ANSWER_WORDS, Attachment, Body, BodyId, DofGroup, Element, Hinge, Representation, Value,
@@ -26,12 +27,6 @@ pub fn hinges(cx: &EmitContext) -> (TokenStream, Vec<Row>) {
         rows.push(row(cx, id, hinge));
     }
     (items, rows)
-}
-
-/// Returns the hinges of the table: all but the welds at the ends of repeated parts.
-pub fn described_hinges<'a>(cx: &'a EmitContext) -> impl Iterator<Item = (HingeId, &'a Hinge)> {
-    let hinges = cx.chain.hinges.enumerate();
-    hinges.filter(|(_, hinge)| cx.chain.repeat_boundary(&hinge.outboard).is_none())
 }
 
 /// Returns the constant of a kind.
@@ -72,7 +67,8 @@ fn row(cx: &EmitContext, id: HingeId, hinge: &Hinge) -> Row {
         quote!(.starting(&[#(#start),*], &[#(#rates),*]))
     });
     let limits = limits(cx, hinge);
-    let tokens = quote!(#kind.named(#path) #prescribed #start #limits);
+    let geometry = geometry::of_hinge(cx, id);
+    let tokens = quote!(#kind.named(#path) #prescribed #start #limits #geometry);
     Row { tokens, repeat: cx.counted(repeat) }
 }
 
@@ -95,16 +91,6 @@ fn limits(cx: &EmitContext, hinge: &Hinge) -> Option<TokenStream> {
             limits.into_iter().map(|limits| limits.unwrap_or_else(|| quote!([NAN_, NAN_])));
         quote!(.limited(&[#(#limits),*]))
     })
-}
-
-/// Returns the table of springs.
-pub fn springs(cx: &EmitContext) -> Vec<Row> {
-    let rows = cx.chain.springs.iter().map(|spring| {
-        let repeat = cx.chain.repeat_of_body(spring.on.body);
-        let path = indexed(&spring.path, repeat.is_some());
-        Row { tokens: quote!(#path), repeat: cx.counted(repeat) }
-    });
-    rows.collect()
 }
 
 /// Returns the table of connection points.

@@ -83,13 +83,16 @@ fn changes_of(cx: &EmitContext, body: &Body) -> TokenStream {
     let tensor = body.inertia.tensor.iter().enumerate();
     let tensor = tensor.map(|(k, value)| (entry("tensor", k), value));
     let all = std::iter::once((quote!(it_.mass), &body.mass)).chain(com).chain(tensor);
-    let changed = all.filter(|(_, value)| value.changes() || !is_const(cx, value));
-    changed
-        .map(|(place, value)| {
-            let value = scalar(cx, value);
-            quote!(#place = #value;)
-        })
-        .collect()
+    all.map(|(place, value)| assignment(cx, &place, value)).collect()
+}
+
+/// Returns the statement that sets a place to a value with the parameters as they are set, unless the value is constant.
+pub fn assignment(cx: &EmitContext, place: &TokenStream, value: &Value) -> TokenStream {
+    if !value.changes() && is_const(cx, value) {
+        return TokenStream::new();
+    }
+    let value = scalar(cx, value);
+    quote!(#place = #value;)
 }
 
 /// Returns a value as an expression of the scalar type, with the parameters as they are set.

@@ -2,6 +2,7 @@
 
 mod answers;
 mod elements;
+mod geometry;
 mod inertia;
 mod quantities;
 mod results;
@@ -10,9 +11,9 @@ mod shapes;
 mod values;
 
 pub use answers::frames;
-pub use elements::{described_hinges, point_names};
+pub use elements::point_names;
 pub use quantities::{InputRow, QuantityKind, input_rows};
-pub use row::indexed;
+pub use row::{described_hinges, indexed};
 
 use super::EmitContext;
 use super::arrays::usize_literal;
@@ -33,7 +34,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let tables = [
         ("hinged", hinges),
         ("bodied", bodies),
-        ("sprung", elements::springs(cx)),
+        ("sprung", geometry::springs(cx)),
         ("connected", elements::points(cx)),
         ("driven", quantities::inputs(cx)),
         ("changed", quantities::parameters(cx)),
@@ -46,6 +47,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let answers = elements::answers(cx);
     let by_name = answers::emit(cx);
     let change = inertia::changes(cx);
+    let moved = geometry::changes(cx);
     let results = results::emit(cx);
     let (rows, formats) = (values::parameter_rows(cx), formats(cx));
     let [copy, parameters] = [values::inputs(cx), values::parameters(cx)];
@@ -60,6 +62,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             };
             #results
             #change
+            #moved
             #copy
             #parameters
         }

@@ -3,8 +3,8 @@
 use super::super::EmitContext;
 use super::super::arrays::usize_literal;
 use super::super::const_expr::{is_const, value_tokens};
-use crate::ids::RepeatId;
-use crate::model::Value;
+use crate::ids::{HingeId, RepeatId};
+use crate::model::{Hinge, Value};
 use crate::program::ArrayLayout;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -39,6 +39,12 @@ pub fn runs(rows: &[Row]) -> TokenStream {
     };
     let runs = segments.iter().map(|segment| run(segment.count, segment.repetitions));
     quote!(#(#runs),*)
+}
+
+/// Returns the hinges of the table: all but the welds at the ends of repeated parts.
+pub fn described_hinges<'a>(cx: &'a EmitContext) -> impl Iterator<Item = (HingeId, &'a Hinge)> {
+    let hinges = cx.chain.hinges.enumerate();
+    hinges.filter(|(_, hinge)| cx.chain.repeat_boundary(&hinge.outboard).is_none())
 }
 
 impl EmitContext<'_> {
