@@ -173,6 +173,59 @@ def meshes_are_drawn(page):
     assert with_meshes > 1.5 * without > 0, (with_meshes, without)
 
 
+def pixels_near(page, places):
+    """Returns the brightness of the pixels within 14 of some places of the picture."""
+    pixels = [page.ask(f"recording.pixel({list(place)})")[:2] for place in places]
+    return page.ask(f"""new Promise(done => {{
+        recording.seek(recording.frame);
+        requestAnimationFrame(() => requestAnimationFrame(() => {{
+            const view = document.getElementById('view'), context = view.getContext('2d'), ratio = view.width / view.clientWidth, sums = [];
+            for (const [x, y] of {pixels}) {{
+                const data = context.getImageData(Math.round(ratio * (x - 14)), Math.round(ratio * (y - 14)), 28 * ratio, 28 * ratio).data;
+                for (let k = 0; k < data.length; k += 4) sums.push(data[k] + data[k + 1] + data[k + 2]);
+            }}
+            done(sums);
+        }}));
+    }})""")
+
+
+def changed_by(page, switch, places):
+    """Returns the number of pixels near some places that change a lot if a switch is used; it is used twice."""
+    before = pixels_near(page, places)
+    page.click(switch)
+    after = pixels_near(page, places)
+    page.click(switch)
+    assert pixels_near(page, places) == before, "the picture is another one after two clicks"
+    return sum(abs(a - b) > 3 * 40 for a, b in zip(before, after))
+
+
+def along(ends, share):
+    return [(1 - share) * a + share * b for a, b in zip(*ends)]
+
+
+def springs_and_axes_are_drawn(page, spring, hinge, count):
+    """A spring is drawn between its ends, whose distance is its recorded length; axes of a hinge are drawn at its point, as
+    long as they are switched on."""
+    page.ask("['forces', 'moments', 'trails'].forEach(name => { const it = document.getElementById(name); it.value = 'none'; it.dispatchEvent(new Event('input')); })")
+    for name in ("numbers", "grid"):
+        page.click(f"#{name}")
+    for frame in (0, 20, 60):
+        page.ask(f"recording.seek({frame})")
+        ends = page.ask(f"recording.springEnds('{spring}')")
+        distance = sum((a - b) ** 2 for a, b in zip(*ends)) ** 0.5
+        # The errors of a position and, at an arm of a metre, of four components of a quaternion.
+        bound = page.ask(f"recording.uncertainty('{spring}.length')") + 8 / 65535
+        assert abs(distance - page.ask(f"recording.value('{spring}.length')")) <= bound, (frame, distance)
+    changed = changed_by(page, "#springs", [along(ends, share) for share in (0.35, 0.5, 0.65)])
+    assert changed > 60, f"the spring changes {changed} pixels"
+    axes = page.ask(f"recording.axes('{hinge}')")
+    assert len(axes) == count, axes
+    for ends in axes:
+        # The parts of the lines outside of the bodies.
+        changed = changed_by(page, "#hinges", [along(ends, share) for share in (0, 1)])
+        assert changed > 10, f"an axis changes {changed} pixels"
+
+
 def theme_follows(page, path):
     """The theme is that of the system until the button is used."""
     theme = "document.documentElement.dataset.theme"
@@ -228,6 +281,8 @@ def main():
             print(f"{path.stem}: {summary}")
         page.open(folder / "meshes.html")
         meshes_are_drawn(page)
+        page.open(folder / "dog.html")
+        springs_and_axes_are_drawn(page, "harness", "fl.hip", 2)
         theme_follows(page, folder / "crane.html")
         rate = rate_of(page, folder / "tree.html")
         others = os.getloadavg()[0] > (os.cpu_count() or 1)

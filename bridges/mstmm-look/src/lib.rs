@@ -14,7 +14,7 @@ mod recording;
 mod rotation;
 
 pub use layout::{Block, Column, Group, Options};
-pub use mechanism::{Body, BodyPoint, Mechanism, Place};
+pub use mechanism::{Axis, Body, BodyPoint, Mechanism, Place, Spring, SpringEnd};
 pub use motion::Motion;
 pub use page::PageOptions;
 pub use recording::Recording;

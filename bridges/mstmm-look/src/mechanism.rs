@@ -1,4 +1,4 @@
-//! What a picture needs from a chain: bodies with their points and shapes.
+//! What a picture needs from a chain: bodies with their points and shapes, springs, and axes of hinges.
 
 use crate::rotation::Vector;
 use mstmm_runtime::Described;
@@ -19,6 +19,10 @@ pub struct Mechanism {
     pub bodies: Vec<Body>,
     /// The connection points, in the order of the description.
     pub points: Vec<Place>,
+    /// The springs, in the order of the description, with the parameters of the chain when the recording began.
+    pub springs: Vec<Spring>,
+    /// The axes of the hinges, in their order, with the same parameters.
+    pub axes: Vec<Axis>,
 }
 
 /// A body.
@@ -56,6 +60,35 @@ pub struct Place {
     pub name: String,
     /// The index of its body; `None` on the ground and at moving ends.
     pub body: Option<usize>,
+}
+
+/// A spring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// The name, such as `tie[2]`.
+    pub name: String,
+    /// Its ends.
+    pub ends: [SpringEnd; 2],
+}
+
+/// An end of a spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpringEnd {
+    /// The index of its body; `None` on the ground.
+    pub body: Option<usize>,
+    /// The point in m: in the frame of the body, on the ground in the inertial frame.
+    pub position: Vector,
+}
+
+/// An axis of a hinge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// The name of the hinge, such as `elbow`.
+    pub hinge: String,
+    /// The index of the connection point whose frame it is fixed in, and through whose origin it passes.
+    pub point: usize,
+    /// The direction, a unit vector in that frame.
+    pub direction: Vector,
 }
 
 impl Mechanism {
@@ -99,6 +132,8 @@ impl Mechanism {
             gravity: C::gravity(&at).map(Into::into),
             bodies,
             points,
+            springs: springs(chain),
+            axes: axes(chain),
         }
     }
 
@@ -108,6 +143,41 @@ impl Mechanism {
         let body = self.points.get(point)?.body?;
         (self.bodies.get(body)?.input == Some(point)).then_some(body)
     }
+
+    /// Returns whether the places of both ends of a spring are known: on the ground, or on a body with an input.
+    pub(crate) fn is_drawn(&self, spring: &Spring) -> bool {
+        let has_input = |body: usize| self.bodies.get(body).is_some_and(|it| it.input.is_some());
+        spring.ends.iter().all(|end| end.body.is_none_or(has_input))
+    }
+}
+
+fn springs<C>(chain: &C) -> Vec<Spring>
+where
+    C: Described<Scalar: Into<f64>>,
+{
+    let springs = C::DESCRIPTION.springs();
+    let spring = |index: usize| {
+        let ends = chain
+            .spring_ends(index)?
+            .map(|end| SpringEnd { body: end.body, position: end.position.map(Into::into).into() });
+        Some(Spring { name: springs.get(index)?.name().to_string(), ends })
+    };
+    (0..springs.len()).filter_map(spring).collect()
+}
+
+fn axes<C>(chain: &C) -> Vec<Axis>
+where
+    C: Described<Scalar: Into<f64>>,
+{
+    let hinges = C::DESCRIPTION.hinges().iter().enumerate();
+    let axes = hinges.flat_map(|(index, hinge)| {
+        (0..hinge.axis_count()).filter_map(move |number| {
+            let axis = chain.hinge_axis(index, number)?;
+            let direction = axis.direction.map(Into::into).into();
+            Some(Axis { hinge: hinge.name().to_string(), point: axis.point, direction })
+        })
+    });
+    axes.collect()
 }
 
 /// Adds a point to its body, whose name precedes that of the place.

@@ -235,6 +235,34 @@ fn texts_are_escaped() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// A mechanism has its springs and axes; a picture has a zig-zag of fifteen lines for each spring.
+#[test]
+fn springs_and_axes_are_known() -> Result<(), Box<dyn std::error::Error>> {
+    let motion = motions::dog()?;
+    let mechanism = motion.mechanism();
+    let [harness] = &mechanism.springs[..] else { panic!("{:?}", mechanism.springs) };
+    let trunk = mechanism.bodies.iter().position(|body| body.name == "trunk");
+    assert_eq!(
+        (harness.name.as_str(), harness.ends[0].body, harness.ends[1].body),
+        ("harness", trunk, None)
+    );
+    assert_eq!(harness.ends[1].position, [0.0, 0.0, 1.6]);
+    // Two of each hip, one of each knee and one of the neck.
+    assert_eq!(mechanism.axes.len(), 4 * 3 + 1);
+    let frame = motion.len() / 3;
+    let length = motion.column("harness.length").ok_or("no length")?;
+    let first = motion.column("trunk.input.position.x").ok_or("no position")?;
+    let at = &motion.row(frame).ok_or("no frame")?[first..first + 3];
+    let distance =
+        at.iter().zip(harness.ends[1].position).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    let recorded = motion.row(frame).ok_or("no frame")?[length];
+    // The centre of mass is at the input.
+    assert!((distance - recorded).abs() < 1e-12, "{distance} is not {recorded}");
+    let zigzags = motion.svg(frame)?.lines().filter(|line| line.matches('L').count() == 15).count();
+    assert_eq!(zigzags, 1);
+    Ok(())
+}
+
 /// Chains in a plane and on a line are drawn with their forces; a closed chain has two points on the ground.
 #[test]
 fn planes_and_lines_are_drawn() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,7 +1,7 @@
 // Puts the page together, and runs the time.
 
 const settings = {
-  point: 0, forces: "all", moments: "one", scale: 0, trails: "ends", shapes: true, names: false, axes: false,
+  point: 0, forces: "all", moments: "one", scale: 0, trails: "ends", shapes: true, names: false, axes: false, hinges: false, springs: true,
   masses: true, weights: false, numbers: true, grid: true, follow: false,
 };
 
@@ -75,6 +75,7 @@ class Page {
       element("quantity").value = "";
     });
     element("quantity").addEventListener("change", () => element("add").requestSubmit());
+    for (const id of ["springs", "hinges"]) element(id).parentElement.hidden = model[id === "hinges" ? "axes" : id].length === 0;
     for (const [kind, unit] of [["force", "N"], ["moment", "N*m"]]) {
       if (!motion.blocks.has(kind)) document.querySelector(`#legend .${kind}`).remove();
     }
@@ -182,6 +183,7 @@ class Page {
     for (const [placeAt, colour] of this.trails(css("--accent"))) overlay.trail(placeAt, motion, frame, colour);
     this.renderer.begin(camera, this.canvas.width, this.canvas.height);
     scene.addBodies(frame);
+    if (settings.springs) scene.addSprings(frame, camera);
     const arrows = scene.arrows(frame);
     scene.addArrows(arrows, camera, this.colours);
     this.renderer.flush();
@@ -230,6 +232,7 @@ class Page {
       if (settings.masses) overlay.mass(com, Math.min(4.5, 0.16 * scene.lengths[index] / camera.pixel()), ink, css("--halo"));
       if (settings.axes) overlay.axes(at, turned, 0.07 * size);
     });
+    if (settings.hinges) scene.axes(frame).forEach(ends => overlay.axis(ends, ink, css("--halo")));
     overlay.ring(motion.position(settings.point, frame), 8, css("--accent"));
     overlay.corner(ink);
     for (const { kind, at, vector } of arrows) {
@@ -248,6 +251,7 @@ class Page {
         const [at, turned] = scene.pose(index, frame);
         overlay.label(body.name, add(at, rotate(turned, body.com)), ink);
       });
+      if (settings.springs) model.springs.forEach((spring, index) => overlay.label(spring.name, scaled(add(...scene.springEnds(index, frame)), 0.5), ink));
     }
     overlay.label(model.points[settings.point].name, motion.position(settings.point, frame), css("--accent"), 12, -22);
     const scale = scene.largest.force ? measure(scene.largest.force / (0.3 * size * 10 ** settings.scale) * 100 * camera.pixel(), "N") : "";
@@ -284,6 +288,9 @@ class Page {
       uncertainty: name => page.motion.uncertainty(page.motion.byName.get(name)),
       seek: frame => page.seek(frame),
       project: point => page.camera.project(page.motion.position(model.points.findIndex(it => it.name === point), page.frame)),
+      springEnds: name => page.scene.springEnds(model.springs.findIndex(it => it.name === name), page.frame),
+      axes: hinge => page.scene.axes(page.frame).filter((_, index) => model.axes[index].hinge === hinge),
+      pixel: place => page.camera.project(place),
     };
   } catch (error) {
     element("message").textContent = error.message;

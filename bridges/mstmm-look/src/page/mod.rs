@@ -118,6 +118,14 @@ fn model(motion: &Motion, options: &PageOptions, title: &str) -> io::Result<(Val
         .map(|it| body(it, &fixed, &mut |path| add_mesh(&mut meshes, options, path)))
         .collect();
     let points = mechanism.points.iter().map(|it| json!({ "name": it.name, "body": it.body }));
+    let springs = mechanism.springs.iter().filter(|it| mechanism.is_drawn(it)).map(|it| {
+        let ends = it.ends.map(|end| json!({ "body": end.body, "position": end.position }));
+        json!({ "name": it.name, "ends": ends })
+    });
+    let axes = mechanism
+        .axes
+        .iter()
+        .map(|it| json!({ "hinge": it.hinge, "point": it.point, "direction": it.direction }));
     let model = json!({
         "title": title,
         "docs": mechanism.docs,
@@ -128,6 +136,8 @@ fn model(motion: &Motion, options: &PageOptions, title: &str) -> io::Result<(Val
         "blocks": blocks.collect::<Vec<Value>>(),
         "bodies": bodies,
         "points": points.collect::<Vec<Value>>(),
+        "springs": springs.collect::<Vec<Value>>(),
+        "axes": axes.collect::<Vec<Value>>(),
         "meshes": meshes,
         "stored": encoder.stored(),
     });

@@ -97,6 +97,28 @@ class Overlay {
     });
   }
 
+  /** An axis of a hinge: a line of dashes and dots on a halo; a cross if it points at the viewer. */
+  axis(ends, ink, halo) {
+    const { front } = this, [from, to] = ends.map(end => this.camera.project(end));
+    if (from && to && Math.hypot(to[0] - from[0], to[1] - from[1]) < 8) return this.cross((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, ink, halo);
+    [front.strokeStyle, front.lineWidth] = [halo, 3.5];
+    this.line(front, ends);
+    [front.strokeStyle, front.lineWidth] = [ink, 1.4];
+    front.setLineDash([9, 4, 1.5, 4]);
+    this.line(front, ends);
+    front.setLineDash([]);
+  }
+
+  cross(x, y, ink, halo) {
+    const { front } = this;
+    for (const [colour, width] of [[halo, 3.5], [ink, 1.4]]) {
+      [front.strokeStyle, front.lineWidth] = [colour, width];
+      front.beginPath();
+      front.moveTo(x - 14, y); front.lineTo(x + 14, y); front.moveTo(x, y - 14); front.lineTo(x, y + 14);
+      front.stroke();
+    }
+  }
+
   /** The inertial axes in the corner. */
   corner(ink) {
     const { front, camera } = this, from = [42, camera.height - 42];

@@ -33,9 +33,17 @@ class Extent {
   }
 }
 
-/** Returns the places that a picture must contain: points, centres of mass and corners of shapes. */
+/** Returns the place of an end of a spring. */
+function placeOf({ body, position }, motion, frame) {
+  if (body === null) return position;
+  const input = model.bodies[body].input;
+  return add(motion.position(input, frame), rotate(motion.orientation(input, frame), position));
+}
+
+/** Returns the places that a picture must contain: points, ends of springs, centres of mass and corners of shapes. */
 function places(motion, frame) {
   const found = model.points.map((_, point) => motion.position(point, frame));
+  for (const { ends } of model.springs) found.push(...ends.map(end => placeOf(end, motion, frame)));
   for (const body of model.bodies) {
     if (body.input === null) continue;
     const at = motion.position(body.input, frame), turned = motion.orientation(body.input, frame);
@@ -188,6 +196,42 @@ class Scene {
       const at = this.motion.position(index, frame), turned = this.motion.orientation(index, frame);
       const axis = (k, length) => { const a = [0, 0, 0]; a[k] = length; return rotate(turned, a); };
       renderer.add("box", axis(0, edge), axis(1, edge), axis(2, edge), at, GROUND);
+    });
+  }
+
+  springEnds(index, frame) { return model.springs[index].ends.map(end => placeOf(end, this.motion, frame)); }
+
+  /** Adds springs: coils, in a plane zig-zags, of a fixed number of turns between two straight ends. */
+  addSprings(frame, camera) {
+    const size = this.extent.size, { flat } = camera, few = model.springs.length > 12 || BY_SOFTWARE;
+    const wire = Math.max(0.0035 * size, 0.9 * camera.pixel());
+    model.springs.forEach((_, index) => {
+      const [from, to] = this.springEnds(index, frame), along = subtract(to, from), length = norm(along);
+      if (!(length > 1e-6 * size)) return;
+      const n = scaled(along, 1 / length), [a, b] = flat ? [cross([0, 0, 1], n), [0, 0, 0]] : normals(n);
+      const radius = Math.min(0.018 * size, 0.12 * length), turns = 8, parts = flat ? 2 : few ? 6 : 12, count = turns * parts;
+      const at = k => {
+        const angle = 2 * Math.PI * k / parts, across = add(scaled(a, radius * Math.cos(angle)), scaled(b, radius * Math.sin(angle)));
+        return add(add(from, scaled(along, 0.12 + 0.76 * k / count)), across);
+      };
+      const path = [from, add(from, scaled(along, 0.12)), ...Array.from({ length: count + 1 }, (_, k) => at(k)), add(from, scaled(along, 0.88)), to];
+      for (let k = 0; k + 1 < path.length; k++) this.addWire(path[k], path[k + 1], wire);
+    });
+  }
+
+  addWire(from, to, radius) {
+    const along = subtract(to, from), length = norm(along);
+    if (!(length > 0)) return;
+    const [a, b] = normals(scaled(along, 1 / length));
+    this.renderer.add("cylinder", scaled(a, radius), scaled(b, radius), along, scaled(add(from, to), 0.5), STEEL);
+  }
+
+  /** Returns the ends of the lines that show the axes of hinges. */
+  axes(frame) {
+    const half = 0.07 * this.extent.size;
+    return model.axes.map(({ point, direction }) => {
+      const at = this.motion.position(point, frame), along = scaled(rotate(this.motion.orientation(point, frame), direction), half);
+      return [subtract(at, along), add(at, along)];
     });
   }
 

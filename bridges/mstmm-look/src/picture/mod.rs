@@ -4,7 +4,7 @@ mod projection;
 mod svg;
 
 use crate::rotation::{Quaternion, Vector, difference, norm, rotated, sum};
-use crate::{Body, Motion, PageOptions, mesh};
+use crate::{Body, Motion, PageOptions, SpringEnd, mesh};
 use mstmm_runtime::description::{Geometry, Shape};
 use projection::Projection;
 use std::collections::BTreeMap;
@@ -112,6 +112,9 @@ impl Still<'_> {
             svg.joint(pixel(*at), GREY);
             svg.mass(pixel(within(body.com)));
         }
+        for [from, to] in self.springs(&frames) {
+            svg.spring(pixel(from), pixel(to), GREY);
+        }
         for arrow in self.arrows(&frames, scale) {
             svg.arrow(arrow.from, arrow.along, arrow.colour, arrow.heads, &arrow.label);
         }
@@ -144,9 +147,23 @@ impl Still<'_> {
                 include(sum(*at, rotated(*turned, it.position)));
             }
         }
+        self.springs(frames).into_iter().flatten().for_each(&mut include);
         let [least, most] = corners;
         let size = (most[0] - least[0]).max(most[1] - least[1]);
         if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// Returns the places of the ends of the springs.
+    fn springs(&self, frames: &[(usize, Vector, Quaternion)]) -> Vec<[Vector; 2]> {
+        let place = |end: &SpringEnd| match end.body {
+            None => Some(end.position),
+            Some(body) => {
+                let (_, at, turned) = frames.iter().find(|(index, ..)| *index == body)?;
+                Some(sum(*at, rotated(*turned, end.position)))
+            }
+        };
+        let springs = self.motion.mechanism().springs.iter();
+        springs.filter_map(|it| Some([place(&it.ends[0])?, place(&it.ends[1])?])).collect()
     }
 
     fn type_number(&self, body: &Body) -> usize {

@@ -70,7 +70,9 @@ mod tests {
         for gravity in [[0.0, 0.0, -9.81], [0.0, -9.8, 0.0], [-1.0, 0.0, 0.0], [1.0, -2.0, 3.0]] {
             let (dimension, name, docs) = (Dimension::Space, String::new(), String::new());
             let (bodies, points) = (Vec::new(), Vec::new());
-            let mechanism = Mechanism { name, docs, dimension, gravity, bodies, points };
+            let (springs, axes) = (Vec::new(), Vec::new());
+            let mechanism =
+                Mechanism { name, docs, dimension, gravity, bodies, points, springs, axes };
             let Projection { right, above, back } = Projection::of(&mechanism);
             for (a, b, expected) in
                 [(right, above, 0.0), (above, back, 0.0), (back, right, 0.0), (right, right, 1.0)]

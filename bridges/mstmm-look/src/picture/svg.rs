@@ -81,6 +81,32 @@ impl Svg {
         self.add(format_args!("<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.45\"/>"));
     }
 
+    /// A spring: a zig-zag between two straight ends. A spring that points at the viewer has no zig-zag.
+    pub fn spring(&mut self, from: Pixel, to: Pixel, colour: &str) {
+        self.include(from, 8.0);
+        self.include(to, 8.0);
+        let along = [to[0] - from[0], to[1] - from[1]];
+        let length = along[0].hypot(along[1]);
+        let [ux, uy] = along.map(|entry| entry / length.max(1.0));
+        let width = 6f64.min(0.1 * length);
+        let place = |share: f64, side: f64| {
+            let across = side * width;
+            [from[0] + share * along[0] - across * uy, from[1] + share * along[1] + across * ux]
+        };
+        let [[a, b], [c, d]] = [from, place(0.15, 0.0)];
+        let mut path = format!("M{a:.1} {b:.1}L{c:.1} {d:.1}");
+        for turn in 0..12 {
+            let side = if turn % 2 == 0 { 1.0 } else { -1.0 };
+            let [x, y] = place(0.15 + 0.7 * (f64::from(turn) + 0.5) / 12.0, side);
+            let _ = write!(path, "L{x:.1} {y:.1}");
+        }
+        let [[a, b], [c, d]] = [place(0.85, 0.0), to];
+        let _ = write!(path, "L{a:.1} {b:.1}L{c:.1} {d:.1}");
+        self.add(format_args!(
+            "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"
+        ));
+    }
+
     /// A joint.
     pub fn joint(&mut self, [x, y]: Pixel, colour: &str) {
         self.include([x, y], 6.0);
