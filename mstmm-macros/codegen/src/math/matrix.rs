@@ -15,6 +15,11 @@ impl<S: Scalar> Mat3<S> {
         Mat3([row(0), row(1), row(2)])
     }
 
+    /// Returns `R (1 + ω̃)`: the rotation `R` after a small one, which is given in the axes that `R` starts from.
+    pub fn followed_by_small(&self, small: Vec3<S>) -> Self {
+        Mat3(self.0.map(|row| (Vec3(row) + Vec3(row).cross(small)).0))
+    }
+
     /// The identity.
     pub fn identity() -> Self {
         Sym3::diagonal([S::one(); 3]).full()

@@ -8,6 +8,8 @@ use super::{Mat3, Scalar, Sym3, Vec3};
 pub struct Rotation<S> {
     matrix: Mat3<S>,
     pub(super) steps: Option<(AxisRotation<S>, Mat3<S>)>,
+    /// A small rotation after it, in the axes that it starts from. Terms of second order are left out.
+    small: Option<Vec3<S>>,
 }
 
 /// The formula by which a symmetric tensor is rotated, for its entries in the plane of the
@@ -97,12 +99,18 @@ impl<S: Scalar> AxisRotation<S> {
 impl<S: Scalar> Rotation<S> {
     /// A rotation of unknown structure.
     pub fn from_matrix(matrix: Mat3<S>) -> Self {
-        Rotation { matrix, steps: None }
+        Rotation { matrix, steps: None, small: None }
     }
 
     /// Returns the rotation `mount · step`. Tensors are rotated in these two steps.
     pub fn from_steps(mount: Mat3<S>, step: AxisRotation<S>) -> Self {
-        Rotation { matrix: mount * step.matrix(), steps: Some((step, mount)) }
+        Rotation { matrix: mount * step.matrix(), steps: Some((step, mount)), small: None }
+    }
+
+    /// Returns the rotation `R (1 + ω̃)`: a rotation after a small one, which is given in the axes that the rotation starts
+    /// from. Vectors are rotated in these two steps: with `R` known, that takes six products for the small one.
+    pub fn with_small(self, small: Vec3<S>) -> Self {
+        Rotation { steps: None, small: Some(small), ..self }
     }
 
     /// Returns the axis of the first step, for a rotation in two steps.
@@ -112,19 +120,25 @@ impl<S: Scalar> Rotation<S> {
 
     /// Returns the rotation matrix.
     pub fn matrix(&self) -> Mat3<S> {
-        self.matrix
+        match self.small {
+            Some(small) => self.matrix.followed_by_small(small),
+            None => self.matrix,
+        }
     }
 
     /// Rotates a vector.
     pub fn rotate(&self, vector: Vec3<S>) -> Vec3<S> {
-        self.matrix * vector
+        match self.small {
+            Some(small) => self.matrix * (vector + small.cross(vector)),
+            None => self.matrix * vector,
+        }
     }
 
     /// Returns `R A Rᵀ` of a tensor.
     pub fn rotate_tensor(&self, tensor: Mat3<S>) -> Mat3<S> {
         match &self.steps {
             Some((step, mount)) => *mount * step.rotate_tensor(tensor) * mount.transposed(),
-            None => self.matrix * tensor * self.matrix.transposed(),
+            None => self.matrix() * tensor * self.matrix().transposed(),
         }
     }
 
@@ -132,19 +146,24 @@ impl<S: Scalar> Rotation<S> {
     pub fn rotate_symmetric(&self, tensor: Sym3<S>) -> Sym3<S> {
         match &self.steps {
             Some((step, mount)) => mount.rotate_tensor(step.rotate_symmetric(tensor)),
-            None => self.matrix.rotate_tensor(tensor),
+            None => self.matrix().rotate_tensor(tensor),
         }
     }
 
     /// Rotates a vector by the inverse rotation.
     pub fn rotate_back(&self, vector: Vec3<S>) -> Vec3<S> {
-        self.matrix.transposed() * vector
+        let rotated = self.matrix.transposed() * vector;
+        match self.small {
+            Some(small) => rotated + rotated.cross(small),
+            None => rotated,
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{AxisRotation, Mat3, Sym3};
+    use super::{AxisRotation, Mat3, Rotation, Sym3, Vec3};
+    use crate::math::Dual;
 
     #[test]
     fn a_rotated_tensor_is_the_product_of_three_matrices() {
@@ -159,6 +178,38 @@ mod tests {
                 // Entries up to 8, a dozen roundings.
                 assert!((a - b).abs() < 8.0 * 12.0 * f64::EPSILON, "{a} {b}");
             }
+        }
+    }
+
+    #[test]
+    fn a_small_rotation_is_a_derivative() {
+        let turned = |angle: f64| {
+            let (first, second) = (0.7_f64.sin_cos(), angle.sin_cos());
+            Mat3::axis_rotation(0, first) * Mat3::axis_rotation(2, second)
+        };
+        let lifted = |vector: [f64; 3]| Vec3(vector.map(|x| Dual::new(x, 0.0)));
+        let rotation = Mat3(turned(0.4).0.map(|row| lifted(row).0));
+        let small = Vec3([0.0, 0.0, 1.0].map(|x| Dual::new(0.0, x)));
+        let rotation = Rotation::from_matrix(rotation).with_small(small);
+        let vector = Vec3([1.5, -0.3, 2.0]);
+        let rate = |f: &dyn Fn(f64) -> Vec3<f64>, k: usize| {
+            // Central differences: errors of the order of the cube root of the precision, squared.
+            (f(0.4 + 1e-5)[k] - f(0.4 - 1e-5)[k]) / 2e-5
+        };
+        let forth = |angle: f64| turned(angle) * vector;
+        let back = |angle: f64| turned(angle).transposed() * vector;
+        for k in 0..3 {
+            let dual = lifted(vector.0);
+            let by_matrix = (rotation.matrix() * dual)[k];
+            for (found, expected) in [
+                (rotation.rotate(dual)[k], rate(&forth, k)),
+                (by_matrix, rate(&forth, k)),
+                (rotation.rotate_back(dual)[k], rate(&back, k)),
+            ] {
+                assert!((found.derivative() - expected).abs() < 1e-9, "{k}: {found:?} {expected}");
+            }
+            assert!((rotation.rotate(dual)[k].value() - forth(0.4)[k]).abs() < 1e-15 * 8.0);
+            assert!((rotation.rotate_back(dual)[k].value() - back(0.4)[k]).abs() < 1e-15 * 8.0);
         }
     }
 

@@ -6,7 +6,7 @@
 //! since the displaced rotation is that of the quaternion, followed by the small rotation.
 
 use super::HingeGeometry;
-use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
+use crate::math::{AxisRotation, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// Returns the coordinates after a displacement from `q` along the rates: `q + N(q) δ`.
@@ -16,8 +16,9 @@ pub fn displaced<S: Scalar>(kind: &HingeKind, q: &[S], displacement: &[S]) -> Ve
 }
 
 impl<S: Scalar> HingeGeometry<S> {
-    /// Returns the geometry after a displacement along the rates.
-    pub fn displaced(self, displacement: &[S]) -> Self {
+    /// Returns the geometry after a displacement along the rates, and the small rotation, in outboard axes, that follows
+    /// the rotation if it is not about an axis.
+    pub fn displaced(self, displacement: &[S]) -> (Self, Option<Vec3<S>>) {
         let along = |on_outboard: bool| {
             let columns = self.columns.iter().zip(displacement);
             let chosen = columns.filter(|(column, _)| column.on_outboard == on_outboard);
@@ -29,21 +30,12 @@ impl<S: Scalar> HingeGeometry<S> {
         let axis_rotation = self.axis_rotation.map(|rotation| rotation.advanced(turned));
         let rotation = match &axis_rotation {
             Some(rotation) => rotation.matrix(),
-            None => rotated(self.rotation, turned),
+            None => self.rotation.followed_by_small(turned),
         };
-        HingeGeometry {
-            rotation,
-            axis_rotation,
-            offset: self.offset + inboard.linear + self.rotation * outboard.linear,
-            ..self
-        }
+        let small = axis_rotation.is_none().then_some(turned);
+        let offset = self.offset + inboard.linear + self.rotation * outboard.linear;
+        (HingeGeometry { rotation, axis_rotation, offset, ..self }, small)
     }
-}
-
-/// Returns `R (1 + ω̃)`: the rotation followed by a small one, which is given in its outboard axes.
-fn rotated<S: Scalar>(rotation: Mat3<S>, small: Vec3<S>) -> Mat3<S> {
-    let rows = rotation.0.map(|row| (Vec3(row) + Vec3(row).cross(small)).0);
-    Mat3(rows)
 }
 
 impl<S: Scalar> AxisRotation<S> {

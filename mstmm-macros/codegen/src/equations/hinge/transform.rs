@@ -12,6 +12,8 @@ use crate::model::HingeKind;
 pub struct HingeTransform<S> {
     /// Rotation from aligned child axes to aligned parent axes.
     pub rotation: Mat3<S>,
+    /// The rotation before a displacement, and the small rotation, in aligned child axes, of which the displacement consists.
+    pub small_rotation: Option<(Mat3<S>, Vec3<S>)>,
     /// The same rotation, if it is about one of the aligned axes.
     pub axis_rotation: Option<AxisRotation<S>>,
     /// From the parent's point to the child's in m, aligned parent axes.
@@ -48,11 +50,17 @@ pub fn hinge_transform<S: Scalar>(
     reversed: bool,
 ) -> HingeTransform<S> {
     let geometry = kind.law().geometry(values, q);
-    let geometry = match displacement {
+    let before = geometry.rotation;
+    let (geometry, small) = match displacement {
         Some(along) => geometry.displaced(along),
-        None => geometry,
+        None => (geometry, None),
     };
-    if reversed { inward(geometry) } else { outward(geometry) }
+    let transform = if reversed { inward(geometry) } else { outward(geometry) };
+    let small_rotation = small.map(|small| match reversed {
+        true => (before.transposed(), -(before * small)),
+        false => (before, small),
+    });
+    HingeTransform { small_rotation, ..transform }
 }
 
 fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
@@ -60,7 +68,14 @@ fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let oriented =
         |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
     let columns = columns.into_iter().map(oriented).collect();
-    HingeTransform { rotation, axis_rotation, offset, columns, outboard_offset: None }
+    HingeTransform {
+        rotation,
+        small_rotation: None,
+        axis_rotation,
+        offset,
+        columns,
+        outboard_offset: None,
+    }
 }
 
 /// Returns the transform from the outboard to the inboard side. The inboard frame moves relative to
@@ -75,6 +90,7 @@ fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     };
     HingeTransform {
         rotation: rotation.transposed(),
+        small_rotation: None,
         axis_rotation: axis_rotation.map(AxisRotation::inverse),
         offset: -back,
         columns: columns.into_iter().map(oriented).collect(),
@@ -86,8 +102,9 @@ impl<S: Scalar> HingeTransform<S> {
     /// Returns the rotation to the parent: that of the hinge, followed by the fixed rotation
     /// `side`.
     pub fn rotation_to_parent(&self, side: Mat3<S>) -> Rotation<S> {
-        match self.axis_rotation {
-            Some(steps) if rotates_in_steps(side) => Rotation::from_steps(side, steps),
+        match (self.axis_rotation, self.small_rotation) {
+            (Some(steps), _) if rotates_in_steps(side) => Rotation::from_steps(side, steps),
+            (_, Some((before, small))) => Rotation::from_matrix(side * before).with_small(small),
             _ => Rotation::from_matrix(side * self.rotation),
         }
     }
