@@ -94,7 +94,7 @@ fn called<L, R>(lanes: L, function: impl Fn(L) -> R) -> R {
 
 /// Implements [`Scalar`] for lanes of a primitive. Operations are those of IEEE 754, lane by lane.
 macro_rules! lanes {
-    ($($lanes:ident ($($number:literal)*) of $real:ident, bits $bits:ident of $integer:ident, $precision:ident;)*) => { $(
+    ($($lanes:ident ($($number:literal)*) of $real:ident, four $four:ident, bits $bits:ident of $integer:ident, $precision:ident;)*) => { $(
         /// All bits of a lane are set where it is true.
         impl Mask for $lanes {
             #[inline(always)]
@@ -285,6 +285,36 @@ macro_rules! lanes {
                 self.to_array().into_iter()
             }
 
+            // In blocks of four rows and columns: registers are transposed in a few instructions.
+            #[inline]
+            fn write_columns<const R: usize>(rows: &[Self; R], columns: &mut [[$real; R]]) {
+                let (blocks, rest) = rows.as_chunks::<4>();
+                for (group, columns) in columns.chunks_mut(4).enumerate() {
+                    let four = |row: &Self| {
+                        let (groups, rest) = row.as_array().as_chunks::<4>();
+                        let padded = [0, 1, 2, 3].map(|k| rest.get(k).copied().unwrap_or_default());
+                        $four::new(groups.get(group).copied().unwrap_or(padded))
+                    };
+                    for (number, block) in blocks.iter().enumerate() {
+                        let transposed = $four::transpose(block.each_ref().map(four));
+                        for (column, values) in columns.iter_mut().zip(transposed) {
+                            let (blocks, _) = column.as_chunks_mut::<4>();
+                            if let Some(to) = blocks.get_mut(number) {
+                                *to = values.to_array();
+                            }
+                        }
+                    }
+                    let first = R - rest.len();
+                    for (row, values) in rest.iter().enumerate() {
+                        for (column, value) in columns.iter_mut().zip(four(values).to_array()) {
+                            if let Some(entry) = column.get_mut(first + row) {
+                                *entry = value;
+                            }
+                        }
+                    }
+                }
+            }
+
             #[inline]
             fn column(self, column: usize) -> $real {
                 self.as_array().get(column).copied().unwrap_or_default()
@@ -308,17 +338,50 @@ macro_rules! lanes {
 }
 
 lanes! {
-    f32x4 (0 1 2 3) of f32, bits u32x4 of u32, single;
-    f32x8 (0 1 2 3 4 5 6 7) of f32, bits u32x8 of u32, single;
-    f32x16 (0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15) of f32, bits u32x16 of u32, single;
-    f64x2 (0 1) of f64, bits u64x2 of u64, double;
-    f64x4 (0 1 2 3) of f64, bits u64x4 of u64, double;
-    f64x8 (0 1 2 3 4 5 6 7) of f64, bits u64x8 of u64, double;
+    f32x4 (0 1 2 3) of f32, four f32x4, bits u32x4 of u32, single;
+    f32x8 (0 1 2 3 4 5 6 7) of f32, four f32x4, bits u32x8 of u32, single;
+    f32x16 (0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15) of f32, four f32x4, bits u32x16 of u32, single;
+    f64x2 (0 1) of f64, four f64x4, bits u64x2 of u64, double;
+    f64x4 (0 1 2 3) of f64, four f64x4, bits u64x4 of u64, double;
+    f64x8 (0 1 2 3 4 5 6 7) of f64, four f64x4, bits u64x8 of u64, double;
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn columns_are_written_from_rows_of_any_number() {
+        fn check<L: Columns<T>, T: Scalar, const R: usize>(columns: usize) {
+            let value = |row: usize, column: usize| T::constant((100 * row + column) as f64);
+            let rows: [L; R] = core::array::from_fn(|row| L::from_fn(|column| value(row, column)));
+            let mut written = [[T::constant(-1.0); R]; 16];
+            L::write_columns(&rows, &mut written[..columns]);
+            for (column, entries) in written.iter().enumerate() {
+                for (row, &entry) in entries.iter().enumerate() {
+                    let is_there = column < columns && column < L::COUNT;
+                    let expected = if is_there { value(row, column) } else { T::constant(-1.0) };
+                    assert_eq!(entry, expected, "{R} rows, row {row}, column {column}");
+                }
+            }
+        }
+        fn sizes<L: Columns<T>, T: Scalar>() {
+            for columns in 0..=L::COUNT {
+                check::<L, T, 0>(columns);
+                check::<L, T, 1>(columns);
+                check::<L, T, 4>(columns);
+                check::<L, T, 7>(columns);
+                check::<L, T, 18>(columns);
+            }
+        }
+        sizes::<f64, f64>();
+        sizes::<f64x2, f64>();
+        sizes::<f64x4, f64>();
+        sizes::<f64x8, f64>();
+        sizes::<f32x4, f32>();
+        sizes::<f32x8, f32>();
+        sizes::<f32x16, f32>();
+    }
 
     #[test]
     fn the_negative_is_that_of_the_operator_also_of_zeros() {

@@ -175,6 +175,18 @@ pub trait Columns<T>: Scalar {
     /// Iterates over the values of the columns.
     fn values(self) -> impl Iterator<Item = T>;
 
+    /// Writes the columns of a matrix of which `rows` has the rows.
+    #[inline(always)]
+    fn write_columns<const R: usize>(rows: &[Self; R], columns: &mut [[T; R]]) {
+        for (row, &values) in rows.iter().enumerate() {
+            for (column, value) in columns.iter_mut().zip(values.values()) {
+                if let Some(entry) = column.get_mut(row) {
+                    *entry = value;
+                }
+            }
+        }
+    }
+
     /// Returns the value of a column; of a column that is not there, the default value.
     #[inline(always)]
     fn column(self, column: usize) -> T
