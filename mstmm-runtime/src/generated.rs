@@ -27,7 +27,7 @@ pub use checks::{
     PIVOT_ULPS, check_argument, check_finite, check_finite_slice, or_argument, pivot_error,
     pivots_ok,
 };
-pub use columns::columns;
+pub use columns::{MotorColumns, columns, input_columns};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
 pub use packs::{lane, pack};

@@ -218,7 +218,7 @@ fn linearization(situation: &Situation) {
         (0..count).map(column).collect::<Vec<_>>()
     };
     let inverse = columns(&found.inverse, rates);
-    let driven = equations::driven_rates(&context);
+    let driven = context.layout.driven_rates(context.chain);
     let none = Direction::default;
     let never = |_| false;
     let products = |matrix, count| product(&inverse, &columns(matrix, count), never);

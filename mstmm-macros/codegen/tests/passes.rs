@@ -10,7 +10,7 @@ use mstmm_codegen::expr::Graph;
 use mstmm_codegen::function::Function;
 use mstmm_codegen::passes::{
     Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
-    list_schedule, lower, reassociate,
+    list_schedule, lower, reassociate, separate_factor,
 };
 use mstmm_codegen::program::{Failure, Procedure, Program};
 use mstmm_reference::Random;
@@ -21,11 +21,12 @@ type Pass = for<'g> fn(Function<'g>) -> Function<'g>;
 const ROUNDED: f64 = 1e-12;
 
 /// Each pass, with the largest change of values that it may cause.
-const PASSES: [(&str, Pass, f64); 4] = [
+const PASSES: [(&str, Pass, f64); 5] = [
     ("drop_unused_carries", drop_unused_carries, 0.0),
     ("factor", factor, ROUNDED),
     ("fuse_loops", fuse_loops, 0.0),
     ("reassociate", reassociate, ROUNDED),
+    ("separate_factor", separate_factor, 0.0),
 ];
 
 /// Compares results; if a pivot vanishes, it must vanish for the same hinge.

@@ -1,6 +1,7 @@
 //! Matrices of long chains, column by column.
 
 use crate::{Columns, Error, Scalar};
+use core::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 /// Computes a matrix from its products with unit vectors, as many columns at a time as [`Scalar::Columns`] has. The code
@@ -11,6 +12,15 @@ use nalgebra::{SMatrix, SVector};
 /// The first error of `product`. A product fails for every vector or for none, so that the matrix is then unchanged.
 pub fn columns<T: Scalar, const R: usize, const C: usize>(
     matrix: &mut SMatrix<T, R, C>,
+    product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
+) -> Result<(), Error> {
+    columns_where(matrix, |_| true, product)
+}
+
+/// Computes the columns that are wanted, and may compute neighbours of them.
+fn columns_where<T: Scalar, const R: usize, const C: usize>(
+    matrix: &mut SMatrix<T, R, C>,
+    is_wanted: impl Fn(usize) -> bool,
     mut product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let zero = T::Columns::constant(0.0);
@@ -18,22 +28,73 @@ pub fn columns<T: Scalar, const R: usize, const C: usize>(
     let mut products = super::vector([zero; R]);
     let count = <T::Columns as Columns<T>>::COUNT;
     for (block, columns) in matrix.data.0.chunks_mut(count).enumerate() {
-        let first = block * count;
-        for (number, unit) in units.iter_mut().skip(first).take(count).enumerate() {
+        let range = block * count..block * count + columns.len();
+        if !range.clone().any(&is_wanted) {
+            continue;
+        }
+        for (number, unit) in ones(&mut units, range.clone()).iter_mut().enumerate() {
             *unit = T::Columns::from_fn(|column| T::constant(f64::from(column == number)));
         }
         product(&units, &mut products)?;
-        for (row, &values) in products.iter().enumerate() {
-            for (column, value) in columns.iter_mut().zip(values.values()) {
-                if let Some(entry) = column.get_mut(row) {
-                    *entry = value;
-                }
-            }
-        }
-        units.iter_mut().skip(first).take(count).for_each(|unit| *unit = zero);
+        let [rows] = &products.data.0;
+        T::Columns::write_columns(rows, columns);
+        ones(&mut units, range).fill(zero);
     }
     Ok(())
 }
 
+/// Returns the entries of the unit vectors that are one in some column.
+fn ones<S: Scalar, const C: usize>(units: &mut SVector<S, C>, range: Range<usize>) -> &mut [S] {
+    units.data.0.as_flattened_mut().get_mut(range).unwrap_or_default()
+}
+
 /// Unit vectors of `C` entries, one in each column.
 pub type Units<T, const C: usize> = SVector<<T as Scalar>::Columns, C>;
+
+/// Columns of inputs that are columns of the inverse mass matrix, since the inputs are efforts of motors.
+#[derive(Clone, Copy, Debug)]
+pub struct MotorColumns {
+    /// The first column of the inputs.
+    pub input: usize,
+    /// The first column of the inverse mass matrix.
+    pub rate: usize,
+    /// The distances to the columns of the next repetition.
+    pub strides: [usize; 2],
+    /// The number of repetitions.
+    pub repetitions: usize,
+}
+
+impl MotorColumns {
+    /// Returns the number of the repetition to which a column of the inputs belongs; none if it is another column.
+    fn repetition(&self, column: usize) -> Option<usize> {
+        let distance = column.checked_sub(self.input)?;
+        let repetition = distance.checked_div(self.strides[0])?;
+        (distance % self.strides[0] == 0 && repetition < self.repetitions).then_some(repetition)
+    }
+}
+
+/// Computes the columns of inputs: those of motors are columns of `inverse`, the inverse mass matrix, and the others are
+/// computed as [`columns`] does.
+///
+/// # Errors
+///
+/// The first error of `product`.
+pub fn input_columns<T: Scalar, const R: usize, const C: usize>(
+    matrix: &mut SMatrix<T, R, C>,
+    (inverse, motors): (&SMatrix<T, R, R>, &[MotorColumns]),
+    product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let of_motor = |column| {
+        let mut found = motors
+            .iter()
+            .filter_map(|motor| Some(motor.rate + motor.repetition(column)? * motor.strides[1]));
+        found.next()
+    };
+    columns_where(matrix, |column| of_motor(column).is_none(), product)?;
+    for (column, entries) in matrix.data.0.iter_mut().enumerate() {
+        if let Some(from) = of_motor(column).and_then(|rate| inverse.data.0.get(rate)) {
+            *entries = *from;
+        }
+    }
+    Ok(())
+}

@@ -125,6 +125,7 @@ impl<'a> ChainCompiler<'a> {
             stage,
             headings: Vec::new(),
             loops: Vec::new(),
+            loops_before_factor: 0,
             outputs: Vec::new(),
             pivots: Vec::new(),
         }

@@ -241,6 +241,20 @@ fn is_dense(chain: &Chain, layout: &Layout) -> bool {
     writes_matrices_out(!chain.repeats.is_empty(), layout.dof_count())
 }
 
+/// Returns whether an answer of a chain is a product that a matrix is computed by, several columns at a time.
+pub(super) fn is_by_columns(chain: &Chain, layout: &Layout, answer: Answer) -> bool {
+    let lacks = |request| by_columns(chain, layout, request);
+    match answer {
+        Answer::MassMatrixTimes => lacks(Request::MassMatrix) || lacks(Request::Derivatives),
+        Answer::InverseMassMatrixTimes => lacks(Request::MassMatrix) || lacks(Request::Linearize),
+        Answer::EffortsChange => lacks(Request::Derivatives),
+        Answer::Push => lacks(Request::Linearize),
+        Answer::RegressorTimes => asks(chain, Request::Regressor) && !chain.repeats.is_empty(),
+        Answer::ClosureJacobianTimes => true,
+        _ => false,
+    }
+}
+
 /// Returns whether a chain is asked for matrices that are computed column by column.
 fn by_columns(chain: &Chain, layout: &Layout, request: Request) -> bool {
     asks(chain, request) && !is_dense(chain, layout)

@@ -32,7 +32,7 @@ use crate::model::{Answer, Chain, Check, Layout, SolutionMethod};
 use crate::passes::{SetupSlots, pack_limbs};
 use crate::program::Procedure;
 use compiler::ChainCompiler;
-use function_table::{FUNCTIONS, FunctionSpec};
+use function_table::{FUNCTIONS, FunctionSpec, is_by_columns};
 
 /// All functions of a chain.
 #[derive(Clone, Debug)]
@@ -56,6 +56,8 @@ pub struct Compiled {
 pub struct CompiledFunction {
     /// The answer that it computes; none for the setup.
     pub answer: Option<Answer>,
+    /// Whether it is a product that a matrix is computed by, several columns at a time.
+    pub by_columns: bool,
     /// Its procedure.
     pub procedure: Procedure,
     /// The same procedure with limbs of one shape side by side: after [`Compiled::pack_limbs`], if that saves operations.
@@ -102,19 +104,24 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
         for spec in specs {
             let traced = (spec.trace)(compiler);
             storage = traced.storage.unwrap_or(storage);
-            ordered.push((spec, pipeline::order(traced.function, &mut setup)));
+            let by_columns = is_by_columns(chain, layout, spec.answer);
+            let function = pipeline::order(traced.function, by_columns, &mut setup);
+            ordered.push((spec, by_columns, function));
         }
         let checks = chain.checks();
-        let of_setup = pipeline::order(compiler.setup(&setup, &checks), &mut SetupSlots::default());
-        let finish = |answer, ordered, tests| CompiledFunction {
+        let of_setup = compiler.setup(&setup, &checks);
+        let of_setup = pipeline::order(of_setup, false, &mut SetupSlots::default());
+        let finish = |answer, by_columns, ordered, tests| CompiledFunction {
             answer,
+            by_columns,
             procedure: pipeline::finish(ordered, tests, &setup),
             packed: None,
         };
-        let setup_function = finish(None, of_setup, None);
+        let setup_function = finish(None, false, of_setup, None);
         let functions = ordered.into_iter();
-        let functions =
-            functions.map(|(spec, ordered)| finish(Some(spec.answer), ordered, spec.checks));
+        let functions = functions.map(|(spec, by_columns, ordered)| {
+            finish(Some(spec.answer), by_columns, ordered, spec.checks)
+        });
         Compiled {
             unknowns: compiler.unknowns().clone(),
             method: compiler.method(),

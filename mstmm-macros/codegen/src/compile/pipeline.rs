@@ -4,7 +4,7 @@
 use crate::function::Function;
 use crate::passes::{
     Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
-    list_schedule, lower, reassociate,
+    list_schedule, lower, reassociate, separate_factor,
 };
 use crate::program::{Procedure, Program};
 
@@ -29,9 +29,17 @@ pub(super) struct Ordered<'g> {
     program: Program,
 }
 
+/// The pass for a product that is computed with several vectors at a time.
+const BY_COLUMNS: [Pass; 1] = [separate_factor];
+
 /// Simplifies, arranges and orders a function; adds the slots that it reads to `setup`.
-pub(super) fn order<'g>(function: Function<'g>, setup: &mut SetupSlots) -> Ordered<'g> {
+pub(super) fn order<'g>(
+    function: Function<'g>,
+    by_columns: bool,
+    setup: &mut SetupSlots,
+) -> Ordered<'g> {
     let function = run(run(function, &SIMPLIFY), &ARRANGE);
+    let function = if by_columns { run(function, &BY_COLUMNS) } else { function };
     let program = list_schedule(linearize(&function, setup));
     Ordered { function, program }
 }

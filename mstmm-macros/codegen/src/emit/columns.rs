@@ -8,11 +8,12 @@
 use crate::compile::outputs;
 use crate::ids::IdVec;
 use crate::program::{
-    Argument, Array, ArrayId, ArrayRole, ArraySlice, ForLoop, Given, Operand, Procedure, Statement,
-    Step, ValueId,
+    Argument, Array, ArrayId, ArrayRole, ArraySlice, ForLoop, Operand, Procedure, ResultCheck,
+    Section, Statement, Step, ValueId, Witness,
 };
 
 /// The values and entries of arrays that differ between columns.
+#[derive(Clone)]
 pub struct Varying {
     /// Each value.
     values: Vec<bool>,
@@ -80,7 +81,66 @@ impl Varying {
 
     /// Returns whether an argument is a factor that differs between columns.
     pub fn is_factor(&self, argument: Argument) -> bool {
-        self.of_columns && is_factor(argument)
+        self.of_columns && argument.is_factor()
+    }
+
+    /// Splits the steps of a procedure into those that are the same for all columns and those that differ. The former
+    /// need nothing of the latter.
+    pub fn split(&self, steps: &[Step]) -> [Vec<Step>; 2] {
+        let (mut once, mut columns) = (Vec::new(), Vec::new());
+        for step in steps {
+            match step {
+                Step::Compute(section) => {
+                    let (varying, same): (Vec<_>, Vec<_>) = section
+                        .statements
+                        .iter()
+                        .cloned()
+                        .partition(|statement| self.statement(statement));
+                    let part =
+                        |statements| Step::Compute(Section { statements, ..section.clone() });
+                    once.push(part(same));
+                    columns.push(part(varying));
+                }
+                Step::CheckResults(check) => {
+                    let (varying, same) =
+                        check.finite.iter().cloned().partition(|it| self.witness(it));
+                    once.push(Step::CheckResults(ResultCheck { finite: same, ..check.clone() }));
+                    columns.push(Step::CheckResults(ResultCheck {
+                        pivots: Vec::new(),
+                        finite: varying,
+                    }));
+                }
+                _ if self.step(step) => columns.push(step.clone()),
+                _ => once.push(step.clone()),
+            }
+        }
+        [once, columns].map(|steps| steps.into_iter().filter(|step| !is_empty(step)).collect())
+    }
+
+    /// Returns whether a step reads or writes anything that differs between columns.
+    fn step(&self, step: &Step) -> bool {
+        match step {
+            Step::CheckArguments(_) => false,
+            Step::Load { into, .. } => into.iter().flatten().any(|&value| self.value(value)),
+            Step::Compute(section) => section.statements.iter().any(|it| self.statement(it)),
+            Step::Store { to, .. } => self.array(to.array),
+            Step::CheckPivot { value, scale, .. } => self.operand(value) || self.operand(scale),
+            Step::Loop(loop_) => {
+                let carries = &mut loop_.carries.iter();
+                carries.any(|carry| self.value(carry.phi))
+                    || loop_.body.iter().any(|step| self.step(step))
+            }
+            Step::CheckResults(check) => check.finite.iter().any(|it| self.witness(it)),
+        }
+    }
+
+    /// Returns whether what must be finite differs between columns.
+    fn witness(&self, witness: &Witness) -> bool {
+        match witness {
+            Witness::Value(value) => self.operand(value),
+            Witness::Array(array) => self.array(*array),
+            Witness::Entry(..) => false,
+        }
     }
 
     /// Marks what depends on marked values; returns whether there is any.
@@ -150,23 +210,16 @@ impl Varying {
     }
 }
 
+/// Returns whether a step does nothing.
+fn is_empty(step: &Step) -> bool {
+    match step {
+        Step::Compute(section) => section.statements.is_empty(),
+        Step::CheckResults(check) => check.pivots.is_empty() && check.finite.is_empty(),
+        _ => false,
+    }
+}
+
 /// Returns the index of the first entry of a slice in its array; entries of repeated parts count once.
 fn first_entry(array: &Array, slice: &ArraySlice) -> usize {
     array.layout.segments[slice.segment].first + slice.first
-}
-
-/// Returns whether an argument is the factor of a product.
-fn is_factor(argument: Argument) -> bool {
-    match argument {
-        Argument::Given(given) => match given {
-            Given::Vector
-            | Given::CoordinateDirection
-            | Given::RateDirection
-            | Given::InputDirection
-            | Given::ParameterDirection
-            | Given::DynamicParameters => true,
-            Given::Accelerations | Given::VirtualRates => false,
-        },
-        _ => false,
-    }
 }

@@ -6,7 +6,7 @@ use super::loop_inputs::{LoopInput, pattern, zipped};
 use super::names::helper;
 use super::printer::{Printer, flag};
 use crate::program::{
-    ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, ForLoop, Operand, Segment, Step, ValueId,
+    ArrayId, ArrayRole, ArraySlice, CarriedValue, ForLoop, Operand, Segment, Step, ValueId,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -14,10 +14,17 @@ use quote::{ToTokens, quote};
 /// Declares the flags of the pivot tests and the arrays of values that loops store for later loops.
 pub fn declarations(printer: &Printer) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
-    let flags = (0..printer.procedure.checks).map(|number| flag(CheckId(number)));
-    let locals = printer.procedure.arrays.enumerate().filter_map(|(id, array)| match array.role {
-        ArrayRole::Local(_) => Some((id, array)),
-        ArrayRole::Argument(_) | ArrayRole::Result(_) => None,
+    let loops = printer.body.iter().filter_map(|step| match step {
+        Step::Loop(loop_) => Some(loop_.body.iter()),
+        _ => None,
+    });
+    let flags = loops.flatten().filter_map(|step| match step {
+        Step::CheckPivot { check, .. } => Some(flag(*check)),
+        _ => None,
+    });
+    let locals = printer.procedure.arrays.enumerate().filter(|(id, array)| {
+        let is_written = printer.body.iter().any(|step| step.stores_into(*id));
+        matches!(array.role, ArrayRole::Local(_)) && is_written
     });
     let locals = locals.map(|(id, array)| {
         let (store, segment) = (local(id), &array.layout.segments[0]);

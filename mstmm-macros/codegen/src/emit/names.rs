@@ -46,7 +46,7 @@ impl TypeNames {
 }
 
 /// The variables of a program's values.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Variables(Vec<Ident>);
 
 impl Variables {

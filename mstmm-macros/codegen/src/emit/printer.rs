@@ -4,9 +4,7 @@ use super::EmitContext;
 use super::columns::Varying;
 use super::names::{Variables, helper};
 use super::statement::Writer;
-use crate::program::{
-    Array, ArrayId, ArraySlice, CheckId, Failure, Operand, Procedure, Section, Step,
-};
+use crate::program::{Array, ArrayId, ArraySlice, CheckId, Operand, Procedure, Section, Step};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -28,9 +26,12 @@ pub enum Destination {
 }
 
 /// A procedure that is being printed.
+#[derive(Clone)]
 pub struct Printer<'a> {
     pub cx: &'a EmitContext<'a>,
     pub procedure: &'a Procedure,
+    /// The steps that are printed: all of its steps or some of them.
+    pub body: &'a [Step],
     /// The variables of its values.
     pub variables: Variables,
     /// The values that differ between columns, if it computes several columns at a time.
@@ -39,6 +40,8 @@ pub struct Printer<'a> {
     pub destinations: Vec<Option<Destination>>,
     /// Statements that run before it returns an error.
     pub on_failure: Option<TokenStream>,
+    /// Whether results must not reach the caller before they are checked.
+    pub keeps_back: bool,
     /// Whether it has loops.
     pub looped: bool,
     /// Whether it has too many statements for a separate `let` each.
@@ -120,7 +123,7 @@ impl Printer<'_> {
     pub fn filled(&self, array: ArrayId) -> TokenStream {
         let name = self.result(array);
         match self.destination(array) {
-            Destination::Array(_) | Destination::Vector(_) if !self.is_kept_back() => {
+            Destination::Array(_) | Destination::Vector(_) if !self.keeps_back => {
                 quote!((*#name))
             }
             _ => quote!(#name),
@@ -146,14 +149,7 @@ impl Printer<'_> {
         };
         let segments = &self.procedure.arrays[array].layout.segments;
         let has_repeated = segments.iter().any(|segment| segment.repeat.is_some());
-        is_array && (has_repeated || self.looped && self.is_kept_back())
-    }
-
-    /// Returns whether results must not reach the caller before they are checked.
-    pub fn is_kept_back(&self) -> bool {
-        let has_finish =
-            self.procedure.body.iter().any(|step| matches!(step, Step::CheckResults(_)));
-        self.procedure.failure == Failure::Untouched && has_finish
+        is_array && (has_repeated || self.looped && self.keeps_back)
     }
 }
 

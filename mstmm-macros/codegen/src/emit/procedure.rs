@@ -27,16 +27,23 @@ impl EmitContext<'_> {
         fresh: &TokenStream,
         destination: impl Fn(OutputId) -> Destination,
     ) -> TokenStream {
-        self.typed(procedure, Varying::none(procedure), fresh, destination)
+        self.typed(procedure, Varying::none(procedure), fresh, destination).print()
     }
 
-    /// Returns the statements of a procedure for a product, with several factors in the type `C` of columns.
+    /// Returns the statements of a procedure for a product, with several factors in the type `C` of columns: first those
+    /// that do not depend on the factor, then those that do.
     pub fn procedure_of_columns(
         &self,
         procedure: &Procedure,
         destination: impl Fn(OutputId) -> Destination,
-    ) -> TokenStream {
-        self.typed(procedure, Varying::of(procedure), &TokenStream::new(), destination)
+    ) -> [TokenStream; 2] {
+        let varying = Varying::of(procedure);
+        let bodies = varying.split(&procedure.body);
+        let printer = self.typed(procedure, varying, &TokenStream::new(), destination);
+        let [once, columns] = &bodies;
+        // The caller of the second part keeps its results back.
+        let columns = Printer { body: columns, keeps_back: false, ..printer.clone() };
+        [Printer { body: once, ..printer }, columns].map(|part| part.print())
     }
 
     /// Returns the statements of a procedure with limbs side by side, in the type `C` of packs.
@@ -46,16 +53,16 @@ impl EmitContext<'_> {
         fresh: &TokenStream,
         destination: impl Fn(OutputId) -> Destination,
     ) -> TokenStream {
-        self.typed(procedure, Varying::packs(procedure), fresh, destination)
+        self.typed(procedure, Varying::packs(procedure), fresh, destination).print()
     }
 
-    fn typed(
-        &self,
-        procedure: &Procedure,
+    fn typed<'a>(
+        &'a self,
+        procedure: &'a Procedure,
         varying: Varying,
         fresh: &TokenStream,
         destination: impl Fn(OutputId) -> Destination,
-    ) -> TokenStream {
+    ) -> Printer<'a> {
         let of_array = |array: &Array| match array.role {
             ArrayRole::Result(id) => Some(destination(id)),
             ArrayRole::Argument(_) | ArrayRole::Local(_) => None,
@@ -63,27 +70,29 @@ impl EmitContext<'_> {
         let mstmm = &self.mstmm;
         let reset = quote!(#mstmm::generated::reset(at_, || #fresh););
         let statements = procedure.sections().map(|section| section.statements.len());
-        let printer = Printer {
+        let has_finish = procedure.body.iter().any(|step| matches!(step, Step::CheckResults(_)));
+        Printer {
             cx: self,
             procedure,
+            body: &procedure.body,
             variables: Variables::of(&procedure.values),
             varying,
             destinations: procedure.arrays.iter().map(of_array).collect(),
             on_failure: (procedure.failure == Failure::Reset).then_some(reset),
+            keeps_back: procedure.failure == Failure::Untouched && has_finish,
             looped: procedure.body.iter().any(|step| matches!(step, Step::Loop(_))),
             flat: statements.sum::<usize>() > NESTED_SCOPES,
-        };
-        printer.print()
+        }
     }
 }
 
 impl Printer<'_> {
     fn print(&self) -> TokenStream {
-        let constant = uses_numbers(&self.procedure.body).then(|| {
+        let constant = uses_numbers(self.body).then(|| {
             let c = helper("c");
             quote!(let #c = T::constant;)
         });
-        let steps = &self.procedure.body;
+        let steps = self.body;
         let given = steps.iter().take_while(|step| matches!(step, Step::CheckArguments(_))).count();
         let (given, steps) = steps.split_at(given);
         let mut statements: TokenStream = given.iter().map(|step| self.step(step)).collect();
@@ -108,9 +117,12 @@ impl Printer<'_> {
         }
     }
 
+    /// Iterates over the results that are printed: those that these steps write, and empty ones.
     fn result_arrays(&self) -> impl Iterator<Item = (ArrayId, &Array)> {
         let all = self.procedure.arrays.enumerate();
-        all.filter(|(_, array)| matches!(array.role, ArrayRole::Result(_)))
+        let results = all.filter(|(_, array)| matches!(array.role, ArrayRole::Result(_)));
+        let writes = |steps: &[Step], id| steps.iter().any(|step| step.stores_into(id));
+        results.filter(move |(id, _)| writes(self.body, *id) || !writes(&self.procedure.body, *id))
     }
 
     /// Declares the variables through which results are written: arrays that loops fill, and references to entries that are
@@ -122,7 +134,7 @@ impl Printer<'_> {
                 let (name, total) = (self.result(id), usize_literal(array.layout.total));
                 let scalar = self.scalar(id);
                 statements.extend(match self.destination(id) {
-                    Destination::Array(_) | Destination::Vector(_) if self.is_kept_back() => {
+                    Destination::Array(_) | Destination::Vector(_) if self.keeps_back => {
                         quote!(let mut #name = [#scalar::constant(0.0); #total];)
                     }
                     Destination::Array(place) | Destination::Vector(place) => {
@@ -148,7 +160,7 @@ impl Printer<'_> {
     fn entries(&self, id: ArrayId) -> Option<Vec<TokenStream>> {
         let mut names = vec![quote!(_); self.procedure.arrays[id].layout.entries()];
         let mut any = false;
-        for step in &self.procedure.body {
+        for step in self.body {
             if let Step::Store { to, values } = step
                 && to.array == id
                 && !self.is_whole(to, values)
@@ -205,7 +217,7 @@ impl Printer<'_> {
         let mut statements = TokenStream::new();
         for (id, _) in self.result_arrays().filter(|(id, _)| self.is_filled(*id)) {
             let name = self.result(id);
-            if self.is_kept_back() {
+            if self.keeps_back {
                 statements.extend(match self.destination(id) {
                     Destination::Vector(place) => quote!(#place.data.0 = [#name];),
                     Destination::Array(place) => quote!(#place = #name;),
@@ -214,9 +226,8 @@ impl Printer<'_> {
             }
         }
         // No step writes an empty array.
-        let is_stored = |id: ArrayId| {
-            self.is_filled(id) || self.procedure.body.iter().any(|step| stores_into(step, id))
-        };
+        let is_stored =
+            |id| self.is_filled(id) || self.body.iter().any(|step| step.stores_into(id));
         for (id, _) in self.result_arrays().filter(|(id, _)| !is_stored(*id)) {
             if let Destination::New(name) = self.destination(id) {
                 let scalar = self.scalar(id);
@@ -225,10 +236,6 @@ impl Printer<'_> {
         }
         statements
     }
-}
-
-fn stores_into(step: &Step, array: ArrayId) -> bool {
-    matches!(step, Step::Store { to, .. } if to.array == array)
 }
 
 /// Returns the variable of an entry that is written separately; its name is unique among all arrays.

@@ -20,7 +20,6 @@ use super::strategy::factorizes_mass_matrix;
 use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace};
 use crate::math::Scalar;
-use crate::model::{Drive, Effort, InputKind};
 
 /// Accelerations, the inverse of the mass matrix, and derivatives that are to be multiplied by `−M⁻¹`.
 #[derive(Clone, Debug)]
@@ -41,23 +40,6 @@ pub struct Linearization<S> {
     pub pivots: Vec<HingePivot<S>>,
 }
 
-/// Returns the rate that each entry of the inputs drives; none for an entry that is no effort of a motor.
-pub fn driven_rates<S: Scalar>(context: &EvalContext<S>) -> Vec<Option<usize>> {
-    let mut driven = vec![None; context.inputs.len()];
-    for input in &context.layout.inputs {
-        let InputKind::Efforts(hinge) = input.what else { continue };
-        let Drive::Efforts(efforts) = &context.chain.hinges[hinge].drive else { continue };
-        let rates = context.layout.v[hinge].clone().zip(efforts);
-        let of_inputs = rates.filter(|(_, effort)| matches!(effort, Effort::Input));
-        input
-            .range
-            .clone()
-            .zip(of_inputs)
-            .for_each(|(entry, (rate, _))| driven[entry] = Some(rate));
-    }
-    driven
-}
-
 /// Returns the derivatives of the accelerations at a state. The chain must be open and written out.
 pub fn linearization<S: Scalar>(
     context: &EvalContext<S>,
@@ -71,7 +53,7 @@ pub fn linearization<S: Scalar>(
     let count = accelerations.len();
     let mut by_inputs = DenseMatrix::zero(count, context.inputs.len());
     trace.section("inputs", "Derivatives by inputs", "");
-    for (entry, driven) in driven_rates(context).into_iter().enumerate() {
+    for (entry, driven) in context.layout.driven_rates(context.chain).into_iter().enumerate() {
         match driven {
             Some(rate) => by_inputs.set_column(entry, inverse.column(rate)),
             None => by_inputs.set_column(entry, &tangent.by_input(entry, trace)),

@@ -83,7 +83,7 @@ pub use inverse_dynamics::{
 pub use inverse_mass_matrix::inverse_mass_matrix;
 pub use jacobian::{BodyMotion, ChainKinematics, chain_kinematics};
 pub use kinematics::{LinkKinematics, kinematics};
-pub use linearization::{Linearization, driven_rates, linearization};
+pub use linearization::{Linearization, linearization};
 pub use momentum::{ChainMomentum, momentum, momentum_matrix};
 pub use motion_problem::HingePivot;
 pub use open_chain::OpenChain;

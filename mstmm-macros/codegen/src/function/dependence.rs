@@ -30,12 +30,14 @@ pub struct SymbolDependences<'g> {
     unknowns: &'g Unknowns,
     /// Those of loop-carried values, whose symbols follow those of the unknowns.
     carried: Vec<Dependence>,
+    /// The number of loops that run before the factor of a product is read.
+    before_factor: usize,
 }
 
 impl<'g> SymbolDependences<'g> {
     /// Finds the dependences of the unknowns and of the values that loops carry.
     pub fn of<'a>(unknowns: &'g Unknowns, loops: impl IntoIterator<Item = &'a Loop>) -> Self {
-        let mut all = SymbolDependences { unknowns, carried: Vec::new() };
+        let mut all = SymbolDependences { unknowns, carried: Vec::new(), before_factor: 0 };
         for (number, loop_) in loops.into_iter().enumerate() {
             for carry in &loop_.carries {
                 let repeat = Some(loop_.repeat);
@@ -44,6 +46,11 @@ impl<'g> SymbolDependences<'g> {
             }
         }
         all
+    }
+
+    /// Sets the number of loops that run before the factor of a product is read.
+    pub fn with_factor_after(self, loops: usize) -> Self {
+        SymbolDependences { before_factor: loops, ..self }
     }
 
     /// Sets the dependence of a loop-carried value.
@@ -58,7 +65,10 @@ impl<'g> SymbolDependences<'g> {
     /// Returns the dependence of a symbol; none if no loop carries the symbol any more.
     pub fn symbol(&self, symbol: SymbolId) -> Dependence {
         match self.unknowns.get(symbol) {
-            Some(unknown) => Dependence { repeat: unknown.repeat, earliest: 0 },
+            Some(unknown) => {
+                let earliest = if unknown.argument.is_factor() { self.before_factor } else { 0 };
+                Dependence { repeat: unknown.repeat, earliest }
+            }
             None => {
                 let place = symbol.index() - self.unknowns.count();
                 self.carried.get(place).copied().unwrap_or(Dependence::NONE)

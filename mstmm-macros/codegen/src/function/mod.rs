@@ -34,6 +34,8 @@ pub struct Function<'g> {
     pub headings: Vec<Heading>,
     /// The loops over repeated parts, in the order in which they run.
     pub loops: Vec<Loop>,
+    /// The number of loops that run before it reads the factor of a product.
+    pub loops_before_factor: usize,
     /// The arrays that it returns.
     pub outputs: Vec<Output>,
     /// The divisors that may vanish.

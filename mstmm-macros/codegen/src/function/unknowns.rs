@@ -76,6 +76,11 @@ impl Unknowns {
         self.all[symbol].name.clone()
     }
 
+    /// Returns the repeated parts.
+    pub fn parts(&self) -> IdRange<RepeatId> {
+        self.repetitions.ids()
+    }
+
     /// Returns the number of repetitions of a part.
     pub fn repetitions(&self, part: RepeatId) -> usize {
         self.repetitions[part]

@@ -8,6 +8,7 @@ mod body_frames;
 mod check;
 mod condition;
 mod connection_points;
+mod driven_rates;
 mod dynamic_parameters;
 mod hinge;
 mod inertia;

@@ -76,6 +76,7 @@ mod tests {
             stage: Stage::State,
             headings: Vec::new(),
             loops: loops.to_vec(),
+            loops_before_factor: 0,
             outputs: Vec::new(),
             pivots: Vec::new(),
         };

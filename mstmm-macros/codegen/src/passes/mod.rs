@@ -5,6 +5,7 @@
 //! | [`drop_unused_carries`] | removes loop-carried values that no result needs |
 //! | [`factor()`] | factors common factors out of sums of products |
 //! | [`fuse_loops()`] | fuses consecutive loops over the same part |
+//! | [`separate_factor()`] | separates values of the state from values of the factor of a product |
 //! | [`reassociate()`] | adds the terms of sums in the order in which they are ready |
 //!
 //! [`linearize()`] orders a function into a program; `select_fma` chooses the products that it fuses with their sums, and
@@ -34,6 +35,7 @@ mod reassociate;
 mod regions;
 mod rewrites;
 mod select_fma;
+mod separate_factor;
 mod setup;
 
 pub use early_stores::early_stores;
@@ -47,4 +49,5 @@ pub use lower::{Checks, lower};
 pub use reassociate::reassociate;
 pub use regions::{LoopId, Region, Regions, drop_unused_carries};
 use rewrites::Images;
+pub use separate_factor::separate_factor;
 pub use setup::SetupSlots;

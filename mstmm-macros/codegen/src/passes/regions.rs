@@ -42,7 +42,8 @@ impl Regions {
             return Regions { loops, dependences: Vec::new() };
         }
         let graph = function.graph;
-        let symbols = SymbolDependences::of(function.unknowns, loops.iter());
+        let symbols = SymbolDependences::of(function.unknowns, loops.iter())
+            .with_factor_after(function.loops_before_factor);
         let mut dependences = vec![Dependence::NONE; graph.len()];
         for &id in live.nodes() {
             dependences[id as usize] = symbols.node(graph, id, &dependences);

@@ -84,6 +84,24 @@ pub enum Argument {
     Slots(Option<RepeatId>),
 }
 
+impl Argument {
+    /// Returns whether it is the factor of a product. Several vectors at a time may be given for it.
+    pub fn is_factor(self) -> bool {
+        match self {
+            Argument::Given(given) => match given {
+                Given::Vector
+                | Given::CoordinateDirection
+                | Given::RateDirection
+                | Given::InputDirection
+                | Given::ParameterDirection
+                | Given::DynamicParameters => true,
+                Given::Accelerations | Given::VirtualRates => false,
+            },
+            _ => false,
+        }
+    }
+}
+
 /// A vector that the caller gives to a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Given {
@@ -179,6 +197,17 @@ pub enum Step {
     },
     /// Fails if a pivot vanishes, or if a value is not finite.
     CheckResults(ResultCheck),
+}
+
+impl Step {
+    /// Returns whether it writes to an array, also in a loop.
+    pub fn stores_into(&self, array: ArrayId) -> bool {
+        match self {
+            Step::Store { to, .. } => to.array == array,
+            Step::Loop(loop_) => loop_.body.iter().any(|step| step.stores_into(array)),
+            _ => false,
+        }
+    }
 }
 
 /// A loop over the repetitions of a part.

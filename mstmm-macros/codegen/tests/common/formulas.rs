@@ -5,7 +5,7 @@ use mstmm_codegen::expr::{Edge, Expr, Graph, Node, NodeId, Stage};
 use mstmm_codegen::function::{Carry, Function, Loop, NamedPivot, Output, Unknowns, Written};
 use mstmm_codegen::ids::{ParameterId, RepeatId, SymbolId};
 use mstmm_codegen::math::Scalar;
-use mstmm_codegen::program::{Argument, ArrayLayout, OutputId};
+use mstmm_codegen::program::{Argument, ArrayLayout, Given, OutputId};
 use mstmm_reference::Random;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -26,7 +26,9 @@ pub fn unknowns(looped: bool) -> Unknowns {
     let segments = [(2, None), (2, part(0)), (1, part(1)), (1, None)];
     let of_all = ("x", Argument::Coordinates, ArrayLayout::of(segments));
     let once = ("x", Argument::Coordinates, ArrayLayout::once(4));
-    let all = if looped { vec![of_part, of_all] } else { vec![once] };
+    let factor = ArrayLayout::of([(1, None), (1, part(0)), (1, part(1))]);
+    let factor = ("y", Argument::Given(Given::Vector), factor);
+    let all = if looped { vec![of_part, of_all, factor] } else { vec![once] };
     for (letter, argument, layout) in shared.into_iter().chain(all) {
         let count = layout.entries();
         unknowns.add(argument, layout, names(letter, count));
@@ -113,7 +115,7 @@ pub fn random_function<'g>(
     };
     let pivots = (0..count).map(pivot).collect();
     let (stage, headings, outputs) = (Stage::State, Vec::new(), vec![output]);
-    Function { graph, unknowns, stage, headings, loops, outputs, pivots }
+    Function { graph, unknowns, stage, headings, loops, loops_before_factor: 0, outputs, pivots }
 }
 
 /// Returns the exit symbol of a carry with this phi.

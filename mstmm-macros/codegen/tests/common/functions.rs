@@ -25,7 +25,7 @@ pub fn symbol(graph: &Graph, number: usize) -> Expr<'_> {
 pub fn empty<'g>(graph: &'g Graph, unknowns: &'g Unknowns) -> Function<'g> {
     let (stage, headings, pivots) = (Stage::State, Vec::new(), Vec::new());
     let (loops, outputs) = (Vec::new(), Vec::new());
-    Function { graph, unknowns, stage, headings, loops, outputs, pivots }
+    Function { graph, unknowns, stage, headings, loops, loops_before_factor: 0, outputs, pivots }
 }
 
 /// Returns the function with these results, each with its part.

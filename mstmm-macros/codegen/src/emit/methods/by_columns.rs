@@ -8,7 +8,9 @@ use super::derivatives::{docs_of_derivatives, docs_of_linearization, set_state};
 use super::dynamics::of_accelerations;
 use super::mass_matrix::{docs_of_inverse, docs_of_mass_matrix, square};
 use super::{fallible, of_state_and_inputs};
+use crate::compile::layouts;
 use crate::model::{Answer, Request};
+use crate::program::Segment;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -48,8 +50,8 @@ fn matrix(
         #before
         #after
         #visibility fn #into(&self, #given matrix_: &mut #matrix) -> #returns {
-            #mstmm::generated::columns(matrix_, |vectors_, products_| {
-                self.#times(state_, inputs_, vectors_, products_)
+            self.#times(state_, inputs_, |products_| {
+                #mstmm::generated::columns(matrix_, products_)
             })
         }
     }
@@ -71,18 +73,20 @@ fn derivatives(cx: &EmitContext) -> TokenStream {
             #given
             derivatives_: &mut #derivatives<T>,
         ) -> #returns {
-            let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
-            #mstmm::generated::columns(&mut derivatives_.by_coordinates, |units_, changes_| {
-                direction_.coordinates = *units_;
-                self.#change(state_, inputs_, accelerations_, &direction_, changes_)
+            self.#change(state_, inputs_, accelerations_, |products_| {
+                let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
+                #mstmm::generated::columns(&mut derivatives_.by_coordinates, |units_, changes_| {
+                    direction_.coordinates = *units_;
+                    products_(&direction_, changes_)
+                })?;
+                direction_ = ::core::default::Default::default();
+                #mstmm::generated::columns(&mut derivatives_.by_rates, |units_, changes_| {
+                    direction_.rates = *units_;
+                    products_(&direction_, changes_)
+                })
             })?;
-            direction_ = ::core::default::Default::default();
-            #mstmm::generated::columns(&mut derivatives_.by_rates, |units_, changes_| {
-                direction_.rates = *units_;
-                self.#change(state_, inputs_, accelerations_, &direction_, changes_)
-            })?;
-            #mstmm::generated::columns(&mut derivatives_.by_accelerations, |vectors_, products_| {
-                self.#times(state_, inputs_, vectors_, products_)
+            self.#times(state_, inputs_, |products_| {
+                #mstmm::generated::columns(&mut derivatives_.by_accelerations, products_)
             })
         }
     }
@@ -97,14 +101,21 @@ fn linearization(cx: &EmitContext) -> TokenStream {
     let columns = columns_type(cx);
     let push = column_products::name(Answer::Push);
     let times = column_products::name(Answer::InverseMassMatrixTimes);
+    let motors = motor_columns(cx);
     let along = ["coordinates", "rates", "inputs", "parameters"].map(|name| {
         let (field, result) = (format_ident!("{name}"), format_ident!("by_{name}"));
+        let (columns_of, known) = match name {
+            "inputs" => {
+                let known = quote!((&linearization_.inverse_mass_matrix, &#motors),);
+                (quote!(input_columns), known)
+            }
+            _ => (quote!(columns), TokenStream::new()),
+        };
         quote! {
             let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
-            #mstmm::generated::columns(&mut linearization_.#result, |units_, changes_| {
+            #mstmm::generated::#columns_of(&mut linearization_.#result, #known |units_, changes_| {
                 direction_.#field = *units_;
-                let accelerations_ = &mut linearization_.accelerations;
-                self.#push(state_, inputs_, &direction_, accelerations_, changes_)
+                products_(&direction_, changes_)
             })?;
         }
     });
@@ -116,14 +127,42 @@ fn linearization(cx: &EmitContext) -> TokenStream {
             #given
             linearization_: &mut #linearization<T>,
         ) -> #returns {
-            #mstmm::generated::columns(&mut linearization_.inverse_mass_matrix, |vectors_, products_| {
-                self.#times(state_, inputs_, vectors_, products_)
+            self.#times(state_, inputs_, |products_| {
+                #mstmm::generated::columns(&mut linearization_.inverse_mass_matrix, products_)
             })?;
-            #(#along)*
+            let accelerations_ = &mut linearization_.accelerations;
+            self.#push(state_, inputs_, accelerations_, |products_| {
+                #(#along)*
+                ::core::result::Result::Ok(())
+            })?;
             #set_state
             ::core::result::Result::Ok(())
         }
     }
+}
+
+/// Returns which columns of the inputs are columns of the inverse mass matrix.
+fn motor_columns(cx: &EmitContext) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (inputs, rates) = (layouts::inputs(cx.chain, cx.layout), cx.rates());
+    let driven = cx.layout.driven_rates(cx.chain).into_iter().enumerate();
+    let columns = driven.filter_map(|(entry, rate)| Some((entry, rate?))).map(|(entry, rate)| {
+        let segments = [inputs.segment_of(entry), rates.segment_of(rate)];
+        let first = |segment: &Segment, entry| segment.offset + entry - segment.first;
+        let [input, rate] =
+            [first(segments[0], entry), first(segments[1], rate)].map(usize_literal);
+        let strides = segments.map(|segment| usize_literal(segment.count));
+        let repetitions = usize_literal(segments[0].repetitions);
+        quote! {
+            #mstmm::generated::MotorColumns {
+                input: #input,
+                rate: #rate,
+                strides: [#(#strides),*],
+                repetitions: #repetitions,
+            }
+        }
+    });
+    quote!([#(#columns),*])
 }
 
 /// Returns the type of several columns.

@@ -65,8 +65,8 @@ pub(super) fn matrix(cx: &EmitContext) -> TokenStream {
             #given
             jacobian_: &mut #mstmm::nalgebra::SMatrix<T, #rows, #columns>,
         ) -> ::core::result::Result<(), #mstmm::Error> {
-            #mstmm::generated::columns(jacobian_, |vectors_, products_| {
-                self.#times(state_, inputs_, vectors_, products_)
+            self.#times(state_, inputs_, |products_| {
+                #mstmm::generated::columns(jacobian_, products_)
             })
         }
         /// Returns the constraint Jacobian; see [`closure_jacobian_into`](Self::closure_jacobian_into).

@@ -7,29 +7,10 @@ use super::super::procedure::body;
 use super::super::{EmitContext, arguments};
 use super::{fallible, of_state_and_inputs};
 use crate::compile::{layouts, outputs};
-use crate::model::{Answer, Request};
+use crate::model::Answer;
 use crate::program::{Given, OutputId};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-
-/// Returns whether the chain has a product with several vectors at a time: one that a matrix is computed by.
-pub(super) fn is_used(cx: &EmitContext, answer: Answer) -> bool {
-    let lacks = |request, matrix| {
-        cx.chain.requests.contains(&request) && cx.compiled.find(matrix).is_none()
-    };
-    let mass_matrix = lacks(Request::MassMatrix, Answer::MassMatrix);
-    let derivatives = lacks(Request::Derivatives, Answer::InverseDynamicsDerivatives);
-    let linearization = lacks(Request::Linearize, Answer::Linearization);
-    match answer {
-        Answer::MassMatrixTimes => mass_matrix || derivatives,
-        Answer::InverseMassMatrixTimes => mass_matrix || linearization,
-        Answer::EffortsChange => derivatives,
-        Answer::Push => linearization,
-        Answer::RegressorTimes => lacks(Request::Regressor, Answer::Regressor),
-        Answer::ClosureJacobianTimes => true,
-        _ => false,
-    }
-}
 
 /// Returns the name of a product with several vectors at a time.
 pub(super) fn name(answer: Answer) -> Ident {
@@ -38,13 +19,13 @@ pub(super) fn name(answer: Answer) -> Ident {
 
 /// Returns the private methods for products with several vectors at a time.
 pub(super) fn emit(cx: &EmitContext) -> TokenStream {
-    let answers = cx.compiled.functions.iter().filter_map(|function| function.answer);
-    answers.filter(|&answer| is_used(cx, answer)).map(|answer| product(cx, answer)).collect()
+    let functions = cx.compiled.functions.iter().filter(|function| function.by_columns);
+    functions.filter_map(|function| function.answer).map(|answer| product(cx, answer)).collect()
 }
 
-/// Returns the private method for a product with several vectors, one in each column of the type `C`.
+/// Returns the private method for products with several vectors, one in each column of the type `C`.
 ///
-/// Values that do not depend on the vectors are computed once for all columns.
+/// It computes all values that do not depend on the vectors, then calls `products_` with the function for the rest.
 fn product(cx: &EmitContext, answer: Answer) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, returns) = (name(answer), fallible(cx, &quote!(())));
@@ -55,19 +36,15 @@ fn product(cx: &EmitContext, answer: Answer) -> TokenStream {
     };
     let rates = cx.rates().total;
     let accelerations = vector(quote!(T), rates);
-    let arguments = match answer {
-        Answer::EffortsChange => {
-            quote!(accelerations_: &#accelerations, direction_: &#variation<C>)
-        }
-        Answer::Push => quote!(direction_: &#variation<C>, accelerations_: &mut #accelerations),
-        Answer::RegressorTimes => {
-            let parameters = vector(quote!(C), layouts::dynamic_parameters(cx.chain).total);
-            quote!(accelerations_: &#accelerations, parameters_: &#parameters)
-        }
-        _ => {
-            let vector = vector(quote!(C), rates);
-            quote!(vector_: &#vector)
-        }
+    let accelerations = match answer {
+        Answer::EffortsChange | Answer::RegressorTimes => quote!(accelerations_: &#accelerations,),
+        Answer::Push => quote!(accelerations_: &mut #accelerations,),
+        _ => TokenStream::new(),
+    };
+    let factor = match answer {
+        Answer::EffortsChange | Answer::Push => quote!(#variation<C>),
+        Answer::RegressorTimes => vector(quote!(C), layouts::dynamic_parameters(cx.chain).total),
+        _ => vector(quote!(C), rates),
     };
     let rows = match answer {
         Answer::ClosureJacobianTimes => cx.chain.dimension.axes().len(),
@@ -79,16 +56,40 @@ fn product(cx: &EmitContext, answer: Answer) -> TokenStream {
         _ => Destination::Vector(quote!((*product_))),
     };
     let procedure = &cx.compiled.function(answer).procedure;
-    let statements = cx.procedure_of_columns(procedure, destination);
-    let body = body(statements, quote!(::core::result::Result::Ok(())));
+    let [once, columns] = cx.procedure_of_columns(procedure, destination);
+    let factor_name = factor_name(answer);
+    let columns = body(columns, quote!(::core::result::Result::Ok(())));
+    let once = body(
+        once,
+        quote!(products_(&mut |#factor_name: &#factor, product_: &mut #product| #columns)),
+    );
     quote! {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn #name<C: #mstmm::Columns<T>>(
             &self,
             #state
-            #arguments,
-            product_: &mut #product,
-        ) -> #returns #body
+            #accelerations
+            products_: impl ::core::ops::FnOnce(
+                &mut dyn ::core::ops::FnMut(&#factor, &mut #product) -> #returns,
+            ) -> #returns,
+        ) -> #returns #once
+    }
+}
+
+/// Returns the variable of the factor.
+fn factor_name(answer: Answer) -> TokenStream {
+    match answer {
+        Answer::EffortsChange | Answer::Push => quote!(direction_),
+        Answer::RegressorTimes => quote!(parameters_),
+        _ => quote!(vector_),
+    }
+}
+
+/// Returns the variable of the caller's result.
+fn product_name(answer: Answer) -> TokenStream {
+    match answer {
+        Answer::Push => quote!(change_),
+        _ => quote!(product_),
     }
 }
 
@@ -100,26 +101,37 @@ pub(super) fn of_one_vector(cx: &EmitContext, answer: Answer) -> TokenStream {
         let (name, vector) = arguments::given(given);
         quote!(#mstmm::generated::check_argument::<T>(#name, #vector.as_slice())?;)
     };
-    let (checks, arguments): (TokenStream, _) = match answer {
+    let (factor, product) = (factor_name(answer), product_name(answer));
+    let (factors, accelerations) = match answer {
         Answer::Push => {
-            let direction = [
+            let direction = vec![
                 Given::CoordinateDirection,
                 Given::RateDirection,
                 Given::InputDirection,
                 Given::ParameterDirection,
             ];
-            (
-                direction.map(check).into_iter().collect(),
-                quote!(direction_, accelerations_, change_),
-            )
+            (direction, quote!(&mut accelerations_found_,))
         }
-        Answer::RegressorTimes => {
-            (check(Given::DynamicParameters), quote!(accelerations_, parameters_, product_))
-        }
-        _ => (check(Given::Vector), quote!(vector_, product_)),
+        Answer::RegressorTimes => (vec![Given::DynamicParameters], quote!(accelerations_,)),
+        _ => (vec![Given::Vector], TokenStream::new()),
     };
+    let checks = factors.into_iter().map(check);
+    let [before, after] = match answer {
+        Answer::Push => [
+            quote!(let mut accelerations_found_ = *accelerations_;),
+            quote!(*accelerations_ = accelerations_found_;),
+        ],
+        _ => [TokenStream::new(), TokenStream::new()],
+    };
+    // The results of the caller stay unchanged after a failure.
     quote! {
-        #checks
-        self.#name::<T>(state_, inputs_, #arguments)?;
+        #(#checks)*
+        let mut found_ = *#product;
+        #before
+        self.#name::<T>(state_, inputs_, #accelerations |products_| {
+            products_(#factor, &mut found_)
+        })?;
+        *#product = found_;
+        #after
     }
 }

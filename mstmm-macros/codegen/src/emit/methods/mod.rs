@@ -110,7 +110,7 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
     let [before, after] = docs;
     let fresh = fresh(answer);
     let cost = docs::cost(procedure);
-    let statements = match column_products::is_used(cx, answer) {
+    let statements = match function.by_columns {
         true => column_products::of_one_vector(cx, answer),
         false => cx.procedure(procedure, &fresh, |id| destination(cx, id)),
     };

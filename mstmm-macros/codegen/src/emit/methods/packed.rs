@@ -4,7 +4,7 @@ use super::super::EmitContext;
 use super::super::arrays::usize_literal;
 use super::super::names::helper;
 use super::super::procedure::body;
-use super::{MethodTemplate, column_products, fresh, template};
+use super::{MethodTemplate, fresh, template};
 use crate::compile::CompiledFunction;
 use crate::program::PACK;
 use proc_macro2::{Ident, Spacing, TokenStream, TokenTree};
@@ -16,7 +16,7 @@ pub(super) fn emit(cx: &EmitContext, function: &CompiledFunction) -> (TokenStrea
     let (Some(answer), Some(procedure)) = (function.answer, &function.packed) else {
         return (TokenStream::new(), TokenStream::new());
     };
-    if column_products::is_used(cx, answer) {
+    if function.by_columns {
         return (TokenStream::new(), TokenStream::new());
     }
     let (mstmm, lanes) = (&cx.mstmm, usize_literal(PACK));

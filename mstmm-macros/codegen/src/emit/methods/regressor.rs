@@ -181,8 +181,8 @@ fn by_columns(cx: &EmitContext) -> TokenStream {
             #given
             regressor_: &mut #mstmm::nalgebra::SMatrix<T, #rows, #columns>,
         ) -> ::core::result::Result<(), #mstmm::Error> {
-            #mstmm::generated::columns(regressor_, |parameters_, products_| {
-                self.#times(state_, inputs_, accelerations_, parameters_, products_)
+            self.#times(state_, inputs_, accelerations_, |products_| {
+                #mstmm::generated::columns(regressor_, products_)
             })
         }
     }
