@@ -190,6 +190,32 @@ def test_wrong_arguments_are_refused():
         model.inverse_dynamics(x, np.zeros((3, 3)))
 
 
+def test_arrays_that_are_read_may_have_any_order():
+    """Views with other strides give the bits of their copies; arrays that are written must be in C order."""
+    print("seed 9")
+    rng, model, n = np.random.default_rng(9), CartPole(), 6
+    wide, tall = rng.normal(size=(8, 8)), rng.normal(size=(4, 5))
+    views = [wide[::2, ::2], tall.T, wide[:4, 3::-1], np.asfortranarray(wide[:, :4])]
+    for x in views:
+        assert not x.flags.c_contiguous
+        kept, copy = x.copy(), np.ascontiguousarray(x)
+        forces = rng.normal(size=(n, len(x), 1)).swapaxes(0, 1)
+        weights = rng.normal(size=(2, len(x))).T
+        assert np.array_equal(model.accelerations(x), model.accelerations(copy))
+        given = model.inverse_dynamics(x, weights)
+        assert np.array_equal(given, model.inverse_dynamics(copy, np.ascontiguousarray(weights)))
+        rollout = model.rollout(x, forces, 1e-2, n)
+        assert np.array_equal(rollout, model.rollout(copy, np.ascontiguousarray(forces), 1e-2, n))
+        solved, expected = model.solve(x)["points"], model.solve(copy)["points"]
+        assert np.array_equal(solved["bob.input"]["force"], expected["bob.input"]["force"])
+        assert np.array_equal(x, kept)
+        with pytest.raises(ValueError, match="x must be contiguous, with its last axis first in memory"):
+            model.step(x)
+        assert np.array_equal(x, kept)
+    motion = model.rollout(wide[0, ::2], None, 1e-2, 9)
+    assert len(model.record(motion[::3], None, 3e-2)) == 4
+
+
 def test_the_state_is_changed_in_place_and_views_are_not_copied():
     x = CartPole().initial(100)
     x[:, 1] = 0.1

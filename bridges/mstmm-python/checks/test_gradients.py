@@ -158,6 +158,37 @@ def test_sensitivities_are_the_transpose_of_gradients(Model):
     np.testing.assert_allclose(products[nv:], by_x[0, nq:], atol=1e-11 * scale)
 
 
+def test_wrong_arguments_are_refused():
+    model, n = Ur5(), 3
+    x, u = model.initial(2), np.zeros((2, n, 6))
+    trajectory = model.rollout(x, u, H, n)
+    with pytest.raises(ValueError, match=r"trajectory must have the shape \(rows, n \+ 1, 12\).*not \(4, 12\)"):
+        pullback(model, trajectory[0], u, H, trajectory)
+    with pytest.raises(ValueError, match=r"inputs must have the shape \(2, 3, 6\) for a trajectory of 3 steps, not \(2, 4, 6\)"):
+        pullback(model, trajectory, np.zeros((2, 4, 6)), H, trajectory)
+    with pytest.raises(ValueError, match=r"weights must have the shape of the trajectory, \(2, 4, 12\), not \(2, 12\)"):
+        pullback(model, trajectory, u, H, trajectory[:, 0])
+    with pytest.raises(TypeError, match="weights must be an array of float64, not object"):
+        pullback(model, trajectory, u, H, None)
+    with pytest.raises(ValueError, match=r"trajectory must have the shape \(n \+ 1, 12\)"):
+        sensitivities(model, trajectory, u[0], H)
+    with pytest.raises(ValueError, match="h must be a finite step"):
+        pullback(model, trajectory, u, float("nan"), trajectory)
+    u[1, 2, 0] = np.inf
+    with pytest.raises(FloatingPointError, match="row 1, step 2: `.*` is not finite"):
+        pullback(model, trajectory, u, H, trajectory)
+
+
+def test_gradients_of_no_step_are_the_weights():
+    model, rng = CartPole(), np.random.default_rng(18)
+    print("seed 18")
+    x, weights = rng.normal(size=(3, 4)), rng.normal(size=(3, 1, 4))
+    by_x, by_u, by_p = pullback(model, x[:, None], np.zeros((3, 0, 1)), H, weights)
+    assert np.array_equal(by_x, weights[:, 0]) and by_u.shape == (3, 0, 1) and not by_p.any()
+    by_start, by_parameters = sensitivities(model, x[:1], None, H)
+    assert np.array_equal(by_start, np.eye(4)[None]) and not by_parameters.any()
+
+
 def test_jax_differentiates_a_rollout():
     jax = pytest.importorskip("jax")
     from mstmm_robots.gradients import jax_rollout
@@ -184,20 +215,3 @@ def test_jax_differentiates_a_rollout():
         u = u - 1e-2 * np.asarray(jax.grad(loss, argnums=1)(x, u, p))
         losses.append(loss(x, u, p))
     assert all(after < before for before, after in zip(losses, losses[1:]))
-
-
-def test_torch_differentiates_a_rollout():
-    torch = pytest.importorskip("torch")
-    from mstmm_robots.gradients import torch_rollout
-
-    rng = np.random.default_rng(17)
-    model, x = base_states(rng, 2)
-    u, target = rng.normal(size=(2, N, len(model.inputs))), rng.normal(size=(2, N + 1, model.nx))
-    values = [torch.tensor(value, requires_grad=True) for value in (x, u, np.zeros(len(model.parameters)))]
-    loss = ((torch_rollout(model, 2e-3)(*values) - torch.tensor(target)) ** 2).sum()
-    loss.backward()
-    trajectory = model.rollout(x, u, 2e-3, N)
-    assert abs(loss.item() - ((trajectory - target) ** 2).sum()) <= 1e-12 * loss.item()
-    expected = pullback(model, trajectory, u, 2e-3, 2 * (trajectory - target))
-    for value, gradient in zip(values, (*expected[:2], expected[2].sum(0))):
-        np.testing.assert_allclose(value.grad.numpy(), gradient, rtol=1e-12, atol=1e-12)

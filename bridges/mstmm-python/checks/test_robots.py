@@ -92,17 +92,30 @@ def test_mass_matrix_is_that_of_crba(case):
 
 
 def test_inverse_dynamics_is_that_of_rnea(case):
+    """Efforts and accelerations of a base are a force in inertial axes and a torque in its own axes, and the derivatives of
+    its rates; in Pinocchio all are in the axes of the base, whose velocity there changes by v' = R^T a - w x v."""
     model, robot, data, x, q, v, tau, full, joint, floating = case
-    if floating:
-        pytest.skip("the rates of the base are in other axes; accelerations are compared")
-    given = np.random.default_rng(8).normal(size=tau.shape)
-    ours = model.inverse_dynamics(x, given)
+    first = 6 if floating else 0
+    ours_given = np.random.default_rng(8).normal(size=(len(x), first + len(joint)))
+    ours = model.inverse_dynamics(x, ours_given)
+    gravity = model.gravity_efforts(x)
     for row in range(len(x)):
-        expected = pinocchio.rnea(robot, data, q[row], v[row], given[row][np.argsort(joint)])[joint]
+        theirs_given = np.zeros(robot.nv)
+        theirs_given[first + joint] = ours_given[row, first:]
+        rotation = np.eye(3)
+        if floating:
+            rotation = pinocchio.Quaternion(q[row, 3:7]).toRotationMatrix()
+            theirs_given[:3] = rotation.T @ ours_given[row, :3] - np.cross(v[row, 3:6], v[row, :3])
+            theirs_given[3:6] = ours_given[row, 3:6]
+
+        def in_our_axes(efforts):
+            base = [rotation @ efforts[:3], efforts[3:6]] if floating else []
+            return np.concatenate([*base, efforts[first + joint]])
+
+        expected = in_our_axes(pinocchio.rnea(robot, data, q[row], v[row], theirs_given))
         np.testing.assert_allclose(ours[row], expected, rtol=0, atol=RELATIVE * np.abs(expected).max())
-    np.testing.assert_allclose(
-        model.gravity_efforts(x)[0], pinocchio.computeGeneralizedGravity(robot, data, q[0])[joint], atol=1e-8
-    )
+        expected = in_our_axes(pinocchio.computeGeneralizedGravity(robot, data, q[row]))
+        np.testing.assert_allclose(gravity[row], expected, rtol=0, atol=RELATIVE * np.abs(expected).max())
 
 
 FRAMES = {"Panda": ("panda_link7.panda_hand_tcp", "panda_hand_tcp"), "Ur5": ("wrist_3_link.ee_link", "ee_link")}

@@ -170,6 +170,10 @@ impl Batch<'_> {
         let lanes = self.chain.lanes();
         let steps = match work {
             Work::Steps { steps, .. } => steps.max(1),
+            // A step with its derivatives costs several steps.
+            Work::Pullback(steps) | Work::Pushforward(steps) => {
+                steps.count.max(1).saturating_mul(4)
+            }
             _ => 1,
         };
         // Several chunks for each thread, so that all end at about the same time.

@@ -8,6 +8,7 @@ use mstmm::{Described, Scalar};
 
 use crate::Lanes;
 use crate::batch::{Failure, Inputs, OnError};
+use crate::gradients::{pullback, pushforward};
 use crate::work::{Method, Work};
 
 /// Consecutive rows of arrays.
@@ -72,9 +73,11 @@ pub trait Blocks: Send + Sync + std::fmt::Debug {
 pub struct Model<C>(C);
 
 /// Where a block fails.
-struct Stop {
-    step: Option<usize>,
-    error: Error,
+pub struct Stop {
+    /// The step, counted from zero, in an integration.
+    pub step: Option<usize>,
+    /// The error.
+    pub error: Error,
 }
 
 impl From<Error> for Stop {
@@ -225,7 +228,19 @@ impl<C: Answers<Scalar = Lanes>> Model<C> {
                 }
             };
         }
-        self.compute(work, &state, &inputs, memory)?;
+        match work {
+            Work::Pullback(steps) => {
+                let Memory { given, result, inputs: values, .. } = memory;
+                let inputs = |step| self.inputs(&rows.inputs, step, row, values);
+                pullback(&self.0, steps, inputs, given, result)?;
+            }
+            Work::Pushforward(steps) => {
+                let Memory { given, result, inputs: values, .. } = memory;
+                let inputs = |step| self.inputs(&rows.inputs, step, row, values);
+                pushforward(&self.0, steps, inputs, state, (given, result))?;
+            }
+            _ => self.compute(work, &state, &inputs, memory)?,
+        }
         for lane in 0..last - first {
             let to = rows.result(first + lane);
             for (place, value) in to.iter_mut().zip(&memory.result) {
@@ -306,7 +321,7 @@ impl<C: Answers<Scalar = Lanes>> Model<C> {
         chain.check_state(state)?;
         chain.check_inputs(inputs)?;
         match work {
-            Work::Steps { .. } => {}
+            Work::Steps { .. } | Work::Pullback(_) | Work::Pushforward(_) => {}
             Work::Accelerations => {
                 let mut rate = C::State::zero_position();
                 chain.derivative_into(state, inputs, &mut rate)?;

@@ -13,6 +13,7 @@
 
 mod batch;
 mod blocks;
+mod gradients;
 #[cfg(feature = "extension")]
 mod record;
 mod work;
@@ -23,6 +24,7 @@ pub mod extension;
 
 pub use batch::{Arrays, Batch, Failure, Inputs, OnError, Threads};
 pub use blocks::{Blocks, Model};
+pub use gradients::Steps;
 pub use work::{Method, POINT_VALUES, Work};
 
 #[cfg(feature = "extension")]

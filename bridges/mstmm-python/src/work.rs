@@ -2,6 +2,8 @@
 
 use mstmm::description::{Answer, BodyFrame};
 
+use crate::gradients::Steps;
+
 /// The method of integration, with a fixed step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
@@ -52,6 +54,12 @@ pub enum Work {
     /// The motion of a frame, 24 values as in `FrameMotion`, then the Jacobian, column by column, if the length of the
     /// result has room for it.
     Motion(BodyFrame),
+    /// The gradients of weights times the states of a trajectory of RK4 steps, by start, inputs of each step and
+    /// parameters. The given values are the trajectory, then as many weights.
+    Pullback(Steps),
+    /// The changes of the states of a trajectory of RK4 steps, the first of which is the state. The given values are the
+    /// displacement of the start, along and of the rates, then the change of the parameters.
+    Pushforward(Steps),
     /// The state that satisfies the loop constraints next to the given one.
     Assembly,
 }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 
 use crate::batch::Inputs;
 
-/// Returns an argument as an array of float64 in C order.
+/// Returns an argument as an array of float64.
 fn checked<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let Ok(array) = value.cast::<PyUntypedArray>() else {
         let what = value.get_type().name()?;
@@ -21,26 +21,30 @@ fn checked<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
             "{name} must be an array of float64, not {dtype}: use {name}.astype(np.float64)"
         )));
     };
-    if !array.is_c_contiguous() {
-        return Err(PyValueError::new_err(format!(
-            "{name} must be contiguous, with its last axis first in memory: use np.ascontiguousarray({name})"
-        )));
-    }
     Ok(array.clone())
 }
 
-/// Returns an array that is read.
+/// Returns an array that is read, in C order: a copy of an array with another order, such as a transposed one.
 pub fn read<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
-    let array = checked(name, value)?;
+    let mut array = checked(name, value)?;
+    if !array.is_c_contiguous() {
+        let copy = array.call_method1("copy", ("C",))?;
+        array = checked(name, &copy)?;
+    }
     array.try_readonly().map_err(|_| PyValueError::new_err(format!("{name} is being written")))
 }
 
-/// Returns an array that is written.
+/// Returns an array that is written, which must be in C order.
 pub fn write<'py>(
     name: &str,
     value: &Bound<'py, PyAny>,
 ) -> PyResult<PyReadwriteArrayDyn<'py, f64>> {
     let array = checked(name, value)?;
+    if !array.is_c_contiguous() {
+        return Err(PyValueError::new_err(format!(
+            "{name} must be contiguous, with its last axis first in memory: use np.ascontiguousarray({name})"
+        )));
+    }
     array.try_readwrite().map_err(|_| {
         PyValueError::new_err(format!("{name} is read-only, or another thread uses it"))
     })

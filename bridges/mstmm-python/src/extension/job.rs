@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::blocks::{Blocks, MOTION_VALUES};
+use crate::gradients::Steps;
 use crate::work::{Method, POINT_VALUES, Work};
 
 /// A computation with the lengths of its arrays.
@@ -33,6 +34,19 @@ impl Job {
                 }
                 let work = Work::Steps { method: method(&name)?, step: step(h)?, steps: n, every };
                 Job { steps: n, ..plain(work, (n / every + 1) * state_len(of)) }
+            }
+            "pullback" => {
+                let (h, count): (f64, usize) = arguments.extract()?;
+                let work = Work::Pullback(Steps { step: step(h)?, count });
+                let state = state_len(of);
+                let result = state + count * of.inputs().len() + of.parameters().len();
+                Job { steps: count, given: 2 * (count + 1) * state, ..plain(work, result) }
+            }
+            "pushforward" => {
+                let (h, count): (f64, usize) = arguments.extract()?;
+                let work = Work::Pushforward(Steps { step: step(h)?, count });
+                let given = 2 * of.rates().len() + of.parameters().len();
+                Job { steps: count, given, ..plain(work, (count + 1) * state_len(of)) }
             }
             "accelerations" => plain(Work::Accelerations, of.rates().len()),
             "energies" => plain(Work::Energies, 2),

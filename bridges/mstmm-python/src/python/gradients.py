@@ -13,120 +13,29 @@ def _checked(model, answer="pull"):
         raise NotImplementedError(
             f"the chain's setting `answers` omits `{answer}`: write `answers = [..., {answer}];` in the chain"
         )
+    if any(name == answer and not is_there for name, _, is_there, *_ in model._methods):
+        raise NotImplementedError(f"a closed chain does not have `{answer}`")
     if any(keyword in ("elastic", "plane_elastic") for _, keyword, _ in model.hinges):
         raise NotImplementedError("gradients of rollouts need hinges whose rates are those of their coordinates")
 
 
-class _Space:
-    """The states of a model and their displacements: along the rates, then of the rates.
-
-    A quaternion q has three rates w, in outboard axes: its derivative is q (0, w) / 2.
-    """
-
-    def __init__(self, model):
-        self.model, self.nq, self.nv = model, len(model.coordinates), len(model.rates)
-        # The first entries of quaternions and of their rates, and the entries of all other coordinates and rates.
-        self.quaternions, self.plain = [], ([], [])
-        coordinate, rate = 0, 0
-        while coordinate < self.nq:
-            if model.coordinates.kinds[coordinate] == "Quaternion":
-                self.quaternions.append((coordinate, rate))
-                coordinate, rate = coordinate + 4, rate + 3
-            else:
-                self.plain[0].append(coordinate)
-                self.plain[1].append(rate)
-                coordinate, rate = coordinate + 1, rate + 1
-
-    @staticmethod
-    def _columns(quaternion):
-        """Returns the matrix N of the derivatives N w of quaternions, for each row."""
-        w, x, y, z = np.moveaxis(quaternion, -1, 0)
-        rows = [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]]
-        return 0.5 * np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-    def along(self, x, displacement):
-        """Returns the changes of the coordinates, to first order, of displacements along the rates."""
-        change = np.zeros(displacement.shape[:-1] + (self.nq,))
-        change[..., self.plain[0]] = displacement[..., self.plain[1]]
-        for q, v in self.quaternions:
-            product = self._columns(x[..., q : q + 4]) @ displacement[..., v : v + 3, None]
-            change[..., q : q + 4] = product[..., 0]
-        return change
-
-    def against(self, x, weights):
-        """Returns the products of weights of the coordinates with `along`: weights of displacements."""
-        result = np.zeros(weights.shape[:-1] + (self.nv,))
-        result[..., self.plain[1]] = weights[..., self.plain[0]]
-        for q, v in self.quaternions:
-            product = weights[..., None, q : q + 4] @ self._columns(x[..., q : q + 4])
-            result[..., v : v + 3] = product[..., 0, :]
-        return result
-
-    def gradient(self, x, weights):
-        """Returns the gradient by states whose products with changes of states are those of weights with displacements.
-
-        That by a quaternion is orthogonal to it, since states have unit quaternions.
-        """
-        coordinates = self.along(x, weights[..., : self.nv])
-        for q, _ in self.quaternions:
-            # N has orthogonal columns of length 1/2.
-            coordinates[..., q : q + 4] *= 4
-        return np.concatenate([coordinates, weights[..., self.nv :]], axis=-1)
-
-    def rate(self, x, u):
-        """Returns the derivatives of states."""
-        return np.concatenate([self.along(x, x[:, self.nq :]), self.model.accelerations(x, u)], axis=1)
-
-    def stage(self, x, change):
-        """Returns states that are moved, with quaternions of unit length."""
-        moved = x + change
-        for q, _ in self.quaternions:
-            moved[:, q : q + 4] /= np.linalg.norm(moved[:, q : q + 4], axis=1, keepdims=True)
-        return moved
-
-    def stages(self, x, u, h):
-        """Returns the states of the four stages of a step."""
-        stages = [x]
-        for factor in _factors(h):
-            stages.append(self.stage(x, factor * self.rate(stages[-1], u)))
-        return stages
-
-    def turned(self, x, displacement, sign):
-        """Returns -w x d, the rate of a displacement d of a quaternion due to its own rate w; its transpose if the sign
-        is -1."""
-        result = np.zeros(displacement.shape[:-1] + (self.nv,))
-        for _, v in self.quaternions:
-            rates = x[..., self.nq + v : self.nq + v + 3]
-            result[..., v : v + 3] = -sign * np.cross(rates, displacement[..., v : v + 3])
-        return result
-
-    def pulled(self, x, u, weights):
-        """Returns the products of weights with the derivatives of the rates of displacements: by displacement, inputs,
-        parameters."""
-        nv = self.nv
-        result = self.model.pull(x, np.ascontiguousarray(weights[:, nv:]), u)
-        by_coordinates = result.coordinates + self.turned(x, weights[:, :nv], -1)
-        return np.concatenate([by_coordinates, weights[:, :nv] + result.rates], axis=1), result.inputs, result.parameters
-
-    def pushed(self, x, u, displacement, parameters):
-        """Returns the rates of displacements, with changes of the parameters."""
-        nv = self.nv
-        result = self.model.push(x, u, d_coordinates=displacement[:, :nv], d_rates=displacement[:, nv:], d_parameters=parameters)
-        by_rates = displacement[:, nv:] + self.turned(x, displacement[:, :nv], 1)
-        return np.concatenate([by_rates, result.change], axis=1)
+def _steps(model, trajectory, inputs, shape):
+    """Returns the number of steps of a trajectory, whose shape and whose inputs are checked."""
+    if trajectory.ndim != len(shape) or trajectory.shape[-1] != model.nx or trajectory.shape[-2] == 0:
+        form = ", ".join(shape)
+        raise ValueError(f"trajectory must have the shape ({form}), that of a rollout, not {trajectory.shape}")
+    n, nu = trajectory.shape[-2] - 1, len(model.inputs)
+    expected = trajectory.shape[:-2] + (n, nu)
+    if inputs is not None and np.shape(inputs) != expected:
+        raise ValueError(f"inputs must have the shape {expected} for a trajectory of {n} steps, not {np.shape(inputs)}")
+    return n
 
 
-def _factors(h):
-    """Returns the factors of a stage's rate in the next one."""
-    return h / 2, h / 2, h
-
-
-# The shares of the stages in a step x' = x + h (k1 + 2 k2 + 2 k3 + k4) / 6.
-_SHARES = (1 / 6, 2 / 6, 2 / 6, 1 / 6)
-
-
-def _inputs_of(inputs, k):
-    return None if inputs is None else np.ascontiguousarray(inputs[:, k])
+def _values(name, value):
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must be an array of float64, not {array.dtype}")
+    return np.ascontiguousarray(array, np.float64)
 
 
 def pullback(model, trajectory, inputs, h, weights):
@@ -137,30 +46,20 @@ def pullback(model, trajectory, inputs, h, weights):
     is orthogonal to the quaternion.
     """
     _checked(model)
-    space, nq = _Space(model), len(model.coordinates)
-    rows, count, _ = trajectory.shape
-    by_inputs = np.zeros((rows, count - 1, len(model.inputs)))
-    by_parameters = np.zeros((rows, len(model.parameters)))
+    trajectory, weights = _values("trajectory", trajectory), _values("weights", weights)
+    n = _steps(model, trajectory, inputs, ("rows", "n + 1", str(model.nx)))
+    if weights.shape != trajectory.shape:
+        raise ValueError(f"weights must have the shape of the trajectory, {trajectory.shape}, not {weights.shape}")
+    rows, nx, nu = len(trajectory), model.nx, len(model.inputs)
+    given = np.concatenate([trajectory.reshape(rows, -1), weights.reshape(rows, -1)], axis=1)
+    inputs = _inputs(inputs, n)
+    raw = model._run("pullback", (h, n), np.ascontiguousarray(trajectory[:, 0]), inputs, given).reshape(rows, -1)
+    return raw[:, :nx].copy(), raw[:, nx : nx + n * nu].reshape(rows, n, nu), raw[:, nx + n * nu :].copy()
 
-    def weights_of(k):
-        own = weights[:, k]
-        return np.concatenate([space.against(trajectory[:, k], own[:, :nq]), own[:, nq:]], axis=1)
 
-    gradient = weights_of(count - 1)
-    for k in reversed(range(count - 1)):
-        x, u = np.ascontiguousarray(trajectory[:, k]), _inputs_of(inputs, k)
-        stages = space.stages(x, u, h)
-        weight = [h * share * gradient for share in _SHARES]
-        by_start = gradient.copy()
-        for stage in (3, 2, 1, 0):
-            by_x, by_u, by_p = space.pulled(stages[stage], u, weight[stage])
-            by_inputs[:, k] += by_u
-            by_parameters += by_p
-            by_start += by_x
-            if stage > 0:
-                weight[stage - 1] += _factors(h)[stage - 1] * by_x
-        gradient = by_start + weights_of(k)
-    return space.gradient(trajectory[:, 0], gradient), by_inputs, by_parameters
+def _inputs(inputs, n):
+    # A trajectory of no step has no inputs.
+    return None if inputs is None or n == 0 else _values("inputs", inputs)
 
 
 def sensitivities(model, trajectory, inputs, h):
@@ -172,26 +71,17 @@ def sensitivities(model, trajectory, inputs, h):
     derivatives by the entries of the start. The model needs the answer `push`.
     """
     _checked(model, "push")
-    space, nq, nv = _Space(model), len(model.coordinates), len(model.rates)
-    columns, own = 2 * nv, len(model.parameters)
-    displacement = np.concatenate([np.eye(columns), np.zeros((own, columns))])
-    parameters = np.concatenate([np.zeros((columns, own)), np.eye(own)])
-    results = np.empty((len(trajectory), trajectory.shape[1], columns + own))
-    for k, state in enumerate(trajectory):
-        x = np.tile(state, (columns + own, 1))
-        results[k, :nq] = space.along(x, displacement[:, :nv]).T
-        results[k, nq:] = displacement[:, nv:].T
-        if k + 1 == len(trajectory):
-            break
-        u = None if inputs is None else np.ascontiguousarray(inputs[k])
-        stages = space.stages(state[None], u, h)
-        change, total = np.zeros_like(displacement), np.zeros_like(displacement)
-        for stage, share, factor in zip(stages, _SHARES, (*_factors(h), 0.0)):
-            rate = space.pushed(np.tile(stage, (columns + own, 1)), u, displacement + change, parameters)
-            total += share * rate
-            change = factor * rate
-        displacement = displacement + h * total
-    return results[..., :columns], results[..., columns:]
+    trajectory = _values("trajectory", trajectory)
+    n = _steps(model, trajectory, inputs, ("n + 1", str(model.nx)))
+    columns, own = 2 * len(model.rates), len(model.parameters)
+    # A row for each column: a unit displacement of the start or a unit change of a parameter.
+    start = np.tile(trajectory[0], (columns + own, 1))
+    inputs = _inputs(inputs, n)
+    if inputs is not None:
+        inputs = np.tile(inputs, (columns + own, 1, 1))
+    raw = model._run("pushforward", (h, n), start, inputs, np.eye(columns + own))
+    results = np.moveaxis(raw.reshape(columns + own, n + 1, model.nx), 0, -1)
+    return results[..., :columns].copy(), results[..., columns:].copy()
 
 
 def _forward(model, h, x, inputs, parameters):
