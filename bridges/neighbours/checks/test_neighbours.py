@@ -147,3 +147,22 @@ def test_the_load_is_at_rest_after_a_move_in_calm_air():
     calm = {"mean_wind": [0.0], "turbulence": [0.1], "load_mass": [12e3], "gusts": [1.0]}
     results = winds.simulate(calm)
     assert results["swing_after"][0] < 0.2 < results["swing"][0]
+
+
+def test_the_trolley_moves_and_the_load_arrives():
+    """The recorded motion of the trolley is the one that is prescribed; without wind the load ends below it, up to the swing
+    that is left."""
+    winds = load("gantry", "winds.py")
+    model, states, given = winds.motion({"mean_wind": [0.0], "turbulence": [0.1], "load_mass": [12e3], "gusts": [1.0]}, 0)
+    points = model.solve(states, given)["points"]
+    time = winds.STEP * winds.EVERY * np.arange(len(states))
+    np.testing.assert_allclose(points["trolley.input"]["position"][:, 0], winds.trolley(time)[0], atol=1e-12)
+    np.testing.assert_allclose(points["trolley.input"]["velocity"][:, 0], winds.trolley(time)[1], atol=1e-12)
+    # The rate is the derivative of the position: central differences have an error of h^2 / 6 times the third derivative.
+    position, rate, acceleration = winds.trolley(time)
+    h = time[1] - time[0]
+    for values, derivative in ((position, rate), (rate, acceleration)):
+        error = np.abs((values[2:] - values[:-2]) / (2 * h) - derivative[1:-1])
+        inner = np.abs(time[1:-1] - winds.MOVE) > h
+        assert error[inner].max() < h**2
+    assert abs(points["load.input"]["position"][-1, 0] - winds.DISTANCE) < 0.2

@@ -50,8 +50,12 @@ def inputs(samples, row, time):
     """Returns the inputs of all steps: motion of the trolley, force of the wind."""
     speed = wind(samples["mean_wind"][row], samples["turbulence"][row], int(samples["gusts"][row]), time)
     force = 0.5 * DENSITY * DRAG * AREA * speed * np.abs(speed)
-    values = dict(zip(("rail.position", "rail.velocity", "rail.acceleration"), trolley(time)), **{"wind.force.x": force})
-    return np.stack([values.get(name, np.zeros_like(time)) for name in Gantry.inputs], axis=1)
+    position, rate, acceleration = trolley(time)
+    values = {
+        "rail.state.position": position, "rail.state.velocity": rate, "rail.acceleration": acceleration,
+        "wind.force.x": force, "wind.force.y": np.zeros_like(time),
+    }
+    return np.stack([values[name] for name in Gantry.inputs], axis=1)
 
 
 def motion(samples, row):

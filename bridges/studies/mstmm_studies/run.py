@@ -50,4 +50,6 @@ def execute(study, folder, client, report=lambda done, all: None):
             future.result()
             done += 1
             report(done, study.chunks)
+        # The scheduler forgets the chunks; else it warns of lost results when the workers end.
+        client.cancel(futures)
     return len(todo)
