@@ -190,6 +190,33 @@ def test_wrong_arguments_are_refused():
         model.inverse_dynamics(x, np.zeros((3, 3)))
 
 
+def test_wrong_numbers_are_refused_by_their_names():
+    model, x = CartPole(), CartPole().initial(3)
+    with pytest.raises(ValueError, match="n must not be negative, not -1"):
+        model.rollout(x, None, 1e-3, -1)
+    with pytest.raises(ValueError, match="n must not be negative, not -1"):
+        model.step(x, None, 1e-3, -1)
+    with pytest.raises(TypeError, match="n must be a whole number, not 1.5"):
+        model.rollout(x, None, 1e-3, 1.5)
+    with pytest.raises(ValueError, match="threads must not be negative"):
+        model.accelerations(x, threads=-1)
+    with pytest.raises(TypeError, match="h must be a number, not 'a'"):
+        model.rollout(x, None, "a", 1)
+    with pytest.raises(ValueError, match="h must be a finite step"):
+        model.record(x, None, 0)
+    with pytest.raises(TypeError, match="bob_mass must be a number, not 'a'"):
+        model.bob_mass = "a"
+    with pytest.raises(TypeError, match="CartPole has no parameter 'bobmass'; its parameters: cart_mass, bob_mass, length"):
+        model.bobmass = 2
+
+    class Named(CartPole):
+        pass
+
+    named = Named(bob_mass=0.3)
+    named.label = "mine"
+    assert named.bob_mass == 0.3 and named.label == "mine"
+
+
 def test_arrays_that_are_read_may_have_any_order():
     """Views with other strides give the bits of their copies; arrays that are written must be in C order."""
     print("seed 9")

@@ -63,3 +63,12 @@ def test_an_ended_episode_begins_anew_with_the_next_action():
     _, reward, terminated, _, _ = env.step(np.ones((2, 1)))
     assert abs(env.x[0, 0]) < 0.1 and reward[0] == 0 and not terminated.any()
     assert not np.array_equal(before, env.x[1])
+
+
+def test_wrong_environments_are_refused():
+    with pytest.raises(ValueError, match="num_envs must be positive, not 0"):
+        VectorEnv(CartPole(), 0, reward=lambda x, u: x[:, 0])
+    environment = VectorEnv(CartPole(), 4, reward=lambda x, u: np.zeros(3))
+    environment.reset(seed=1)
+    with pytest.raises(ValueError, match=r"reward must return the shape \(4,\), a value for each row, not \(3,\)"):
+        environment.step(np.zeros((4, 1)))

@@ -111,11 +111,12 @@ impl Core {
         x: &Bound<'_, PyAny>,
         inputs: Option<&Bound<'_, PyAny>>,
         h: f64,
-        n: usize,
+        n: i64,
         method: &str,
-        threads: usize,
+        threads: i64,
         errors: &str,
     ) -> PyResult<()> {
+        let (n, threads) = (job::count("n", n)?, job::count("threads", threads)?);
         let how = How::of(threads, errors)?;
         let work =
             Work::Steps { method: job::method(method)?, step: job::step(h)?, steps: n, every: 0 };

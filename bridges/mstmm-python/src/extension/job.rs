@@ -87,6 +87,12 @@ pub fn method(name: &str) -> PyResult<Method> {
     })
 }
 
+/// Returns a count that is not negative.
+pub fn count(name: &str, value: i64) -> PyResult<usize> {
+    let refused = |_| PyValueError::new_err(format!("{name} must not be negative, not {value}"));
+    usize::try_from(value).map_err(refused)
+}
+
 /// Returns a step that is checked.
 pub fn step(h: f64) -> PyResult<f64> {
     match h.is_finite() && h != 0.0 {

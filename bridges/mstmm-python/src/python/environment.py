@@ -33,6 +33,8 @@ else:
             self, model, num_envs, *, reward, terminated=None, reset=None, observe=None, high=1.0, low=None,
             step=1e-3, substeps=20, limit=500, noise=0.05, threads=0,
         ):
+            if num_envs < 1:
+                raise ValueError(f"num_envs must be positive, not {num_envs}")
             self.model, self.num_envs, self.threads = model, num_envs, threads
             self._reward, self._terminated, self._start, self._observe = reward, terminated, reset, observe
             self._h, self._substeps, self.limit, self.noise = step, substeps, limit, noise
@@ -50,6 +52,11 @@ else:
 
         def _observed(self, x):
             return x.copy() if self._observe is None else np.asarray(self._observe(x), np.float64)
+
+        def _per_row(self, name, values):
+            if values.shape != (self.num_envs,):
+                raise ValueError(f"{name} must return the shape ({self.num_envs},), a value for each row, not {values.shape}")
+            return values
 
         def _begin(self, rows):
             if self._start is not None:
@@ -74,10 +81,10 @@ else:
             after[failed] = before[failed]
             self.x = after
             self._time += 1
-            reward = np.array(self._reward(after, actions), np.float64)
+            reward = self._per_row("reward", np.array(self._reward(after, actions), np.float64))
             ended = failed.copy()
             if self._terminated is not None:
-                ended |= np.asarray(self._terminated(after), bool)
+                ended |= self._per_row("terminated", np.asarray(self._terminated(after), bool))
             truncated = (self._time >= self.limit) & ~ended
             if again.any():
                 self._begin(again)

@@ -2,6 +2,7 @@
 submodules."""
 
 import math
+import operator
 import sys
 import types
 
@@ -32,6 +33,24 @@ def _split(raw, first, parts):
         views[name] = raw[..., first : first + count].reshape(raw.shape[:-1] + shape)
         first += count
     return views, first
+
+
+def _whole(name, value):
+    """Returns an argument that is a whole number from 0 on."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number, not {value!r}") from None
+    if number < 0:
+        raise ValueError(f"{name} must not be negative, not {number}")
+    return number
+
+
+def _number(name, value):
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a number, not {value!r}") from None
 
 
 class Model(Core):  # noqa: F821 (set by the extension, as the names of `recording.py`)
@@ -73,7 +92,13 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
 
     def set(self, parameter, value):
         """Sets a parameter by its name. Raises ValueError with the library's reason if the value is refused."""
-        self._set_parameter(self._index(parameter), float(value))
+        self._set_parameter(self._index(parameter), _number(parameter, value))
+
+    def __setattr__(self, name, value):
+        # Of the classes of chains only: classes that users derive from them may have further attributes.
+        if "_maker" in vars(type(self)) and not hasattr(type(self), name):
+            self._index(name)
+        super().__setattr__(name, value)
 
     def _index(self, parameter):
         try:
@@ -94,7 +119,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
 
     def _rows(self, job, arguments, x, inputs, given, threads, errors):
         """Returns the results of a job of the extension, with the axes of ``x``, then one axis of results."""
-        x = _as_array("x", x)
+        x, threads = _as_array("x", x), _whole("threads", threads)
         raw = self._run(job, arguments, x, _as_array("inputs", inputs), given, threads, errors)
         return raw.reshape(x.shape[:-1] + (raw.size // max(1, math.prod(x.shape[:-1])),))
 
@@ -105,6 +130,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         have the shape (nu,), (rows, nu) or, for each step, (rows, n, nu). They are held over a step.
         """
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
+        h, n, every = _number("h", h), _whole("n", n), _whole("every", every)
         if x.ndim == 1 and inputs is not None and inputs.ndim == 2:
             inputs = inputs[None]
         raw = self._rows("rollout", (method, h, n, every), x, inputs, None, threads, errors)
@@ -119,6 +145,9 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
         if x.ndim == 2 and inputs is not None and inputs.ndim == 2 and len(inputs) == len(x) - 1 > 0:
             inputs = np.concatenate([inputs, inputs[-1:]])
+        h = _number("h", h)
+        if not math.isfinite(h) or h == 0:
+            raise ValueError("h must be a finite step in s, and not zero")
         recording = Recording(self, velocities=velocities)
         recording.record(x, inputs, h * np.arange(len(x)) if x.ndim == 2 else 0.0)
         return recording
@@ -211,7 +240,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
     def _direction(self, coordinates, rates, inputs, parameters, shape):
         parts = [(coordinates, len(self.rates)), (rates, len(self.rates))]
         parts += [(inputs, len(self.inputs)), (parameters, len(self.parameters))]
-        zeros = [np.zeros(shape + (count,)) if part is None else np.asarray(part, np.float64) for part, count in parts]
+        zeros = [np.zeros(shape + (count,)) if part is None else np.asarray(_as_array("the direction", part), np.float64) for part, count in parts]
         return np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]) for part in zeros], axis=-1)
 
     def bias_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
@@ -304,7 +333,7 @@ def _property(index, name, unit, default):
         return self._parameter(index)
 
     def set(self, value):
-        self._set_parameter(index, value)
+        self._set_parameter(index, _number(name, value))
 
     start = "" if default is None else f"; its default is {default:g}"
     return property(get, set, doc=f"The parameter `{name}` in {unit}{start}.")
