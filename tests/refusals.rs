@@ -369,4 +369,9 @@ fn all_values_are_checked() {
     looks_at_all::<2>();
     looks_at_all::<3>();
     looks_at_all::<7>();
+    // More are added in eight sums.
+    looks_at_all::<32>();
+    looks_at_all::<33>();
+    looks_at_all::<41>();
+    looks_at_all::<114>();
 }
