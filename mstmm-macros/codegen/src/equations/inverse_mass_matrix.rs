@@ -25,7 +25,7 @@ pub fn inverse_mass_matrix<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (DenseMatrix<S>, Vec<HingePivot<S>>) {
-    if factorizes_mass_matrix(context.layout.dof_count(), context.layout.links.len()) {
+    if factorizes_mass_matrix(context.layout) {
         let matrix = mass_matrix(context, axes, trace);
         return inverse(context.layout, matrix, trace);
     }

@@ -82,8 +82,7 @@ fn solved<S: Scalar>(
     axes: Axes,
     trace: &mut Trace<S>,
 ) -> (Vec<S>, DenseMatrix<S>, Vec<HingePivot<S>>) {
-    let count = context.layout.dof_count();
-    if !factorizes_mass_matrix(count, context.layout.links.len()) {
+    if !factorizes_mass_matrix(context.layout) {
         let chain = OpenChain::new(context, axes, trace);
         let (accelerations, pivots) = chain.accelerations(trace);
         return (accelerations, chain.inverse_mass_matrix(trace).0, pivots);

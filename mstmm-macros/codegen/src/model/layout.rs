@@ -146,6 +146,16 @@ impl Layout {
         self.v.iter().last().map_or(0, |range| range.end)
     }
 
+    /// Returns the largest number of rates on a path from the ground to a link.
+    pub fn longest_path(&self) -> usize {
+        let mut paths: IdVec<LinkId, usize> = IdVec::new();
+        for (_, link) in self.links.enumerate() {
+            let inboard = link.parent.map_or(0, |parent| paths[parent]);
+            paths.push(inboard + self.v[link.hinge].len());
+        }
+        paths.iter().copied().max().unwrap_or(0)
+    }
+
     /// Returns the range of an input that exists.
     pub fn input(&self, what: InputKind) -> Range<usize> {
         let found = self.inputs.iter().find(|input| input.what == what);
