@@ -67,9 +67,10 @@ pub struct MotorColumns {
 impl MotorColumns {
     /// Returns the number of the repetition to which a column of the inputs belongs; none if it is another column.
     fn repetition(&self, column: usize) -> Option<usize> {
+        let [stride, _] = self.strides;
         let distance = column.checked_sub(self.input)?;
-        let repetition = distance.checked_div(self.strides[0])?;
-        (distance % self.strides[0] == 0 && repetition < self.repetitions).then_some(repetition)
+        let (repetition, rest) = (distance.checked_div(stride)?, distance.checked_rem(stride)?);
+        (rest == 0 && repetition < self.repetitions).then_some(repetition)
     }
 }
 
