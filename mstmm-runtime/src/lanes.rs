@@ -92,6 +92,15 @@ fn called<L, R>(lanes: L, function: impl Fn(L) -> R) -> R {
     function(lanes)
 }
 
+/// Writes a block of four entries of a column.
+#[inline(always)]
+fn write_block<T, const R: usize>(column: &mut [T; R], number: usize, entries: [T; 4]) {
+    let (blocks, _) = column.as_chunks_mut::<4>();
+    if let Some(block) = blocks.get_mut(number) {
+        *block = entries;
+    }
+}
+
 /// Implements [`Scalar`] for lanes of a primitive. Operations are those of IEEE 754, lane by lane.
 macro_rules! lanes {
     ($($lanes:ident ($($number:literal)*) of $real:ident, four $four:ident, bits $bits:ident of $integer:ident, $precision:ident;)*) => { $(
@@ -285,32 +294,36 @@ macro_rules! lanes {
                 self.to_array().into_iter()
             }
 
-            // In blocks of four rows and columns: registers are transposed in a few instructions.
+            // In blocks of four rows and columns: registers are transposed in a few instructions. The columns of a block are
+            // written one by one, without a loop, so that the block stays in registers.
             #[inline]
             fn write_columns<const R: usize>(rows: &[Self; R], columns: &mut [[$real; R]]) {
-                let (blocks, rest) = rows.as_chunks::<4>();
-                for (group, columns) in columns.chunks_mut(4).enumerate() {
+                let (blocks, last_rows) = rows.as_chunks::<4>();
+                let (groups, last_columns) = columns.as_chunks_mut::<4>();
+                let done = 4 * groups.len();
+                for (group, [a, b, c, d]) in groups.iter_mut().enumerate() {
                     let four = |row: &Self| {
-                        let (groups, rest) = row.as_array().as_chunks::<4>();
-                        let padded = [0, 1, 2, 3].map(|k| rest.get(k).copied().unwrap_or_default());
-                        $four::new(groups.get(group).copied().unwrap_or(padded))
+                        let (groups, _) = row.as_array().as_chunks::<4>();
+                        $four::new(groups.get(group).copied().unwrap_or_default())
                     };
                     for (number, block) in blocks.iter().enumerate() {
-                        let transposed = $four::transpose(block.each_ref().map(four));
-                        for (column, values) in columns.iter_mut().zip(transposed) {
-                            let (blocks, _) = column.as_chunks_mut::<4>();
-                            if let Some(to) = blocks.get_mut(number) {
-                                *to = values.to_array();
-                            }
+                        let [p, q, r, s] = block;
+                        let [p, q, r, s] = $four::transpose([four(p), four(q), four(r), four(s)]);
+                        write_block(a, number, p.to_array());
+                        write_block(b, number, q.to_array());
+                        write_block(c, number, r.to_array());
+                        write_block(d, number, s.to_array());
+                    }
+                    for (k, column) in [a, b, c, d].into_iter().enumerate() {
+                        let (_, last) = column.as_chunks_mut::<4>();
+                        for (entry, row) in last.iter_mut().zip(last_rows) {
+                            *entry = row.column(4 * group + k);
                         }
                     }
-                    let first = R - rest.len();
-                    for (row, values) in rest.iter().enumerate() {
-                        for (column, value) in columns.iter_mut().zip(four(values).to_array()) {
-                            if let Some(entry) = column.get_mut(first + row) {
-                                *entry = value;
-                            }
-                        }
+                }
+                for (k, column) in last_columns.iter_mut().enumerate() {
+                    for (entry, row) in column.iter_mut().zip(rows) {
+                        *entry = row.column(done + k);
                     }
                 }
             }
