@@ -7,21 +7,26 @@ use crate::ids::InputId;
 use crate::model::InputKind;
 use crate::program::{Argument, ArrayId, ArrayRole, PivotTest, PivotValue, ResultCheck, Witness};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// Prints the test that arguments are finite. It comes first: after other statements it would be a branch across which the
 /// compiler moves some statements and not others.
 pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
     let cx = printer.cx;
     let mstmm = &cx.mstmm;
-    let (mut taken, mut slices) = (TokenStream::new(), Vec::new());
+    // Scalars share a slice: a loop over many short slices takes longer than some functions.
+    let (mut taken, mut scalars, mut slices) = (TokenStream::new(), Vec::new(), Vec::new());
     let mut vectors = TokenStream::new();
     for &array in arrays {
         match printer.procedure.arrays[array].role {
             ArrayRole::Argument(Argument::Input(input)) => {
-                let (before, slice) = cx.slice_of_input(input);
+                let (before, checked) = cx.checked_input(input);
                 taken.extend(before);
-                slices.extend(slice);
+                match checked {
+                    Some(TestedValues::Scalars(values)) => scalars.extend(values),
+                    Some(TestedValues::Slice(slice)) => slices.push(slice),
+                    None => {}
+                }
             }
             ArrayRole::Argument(Argument::Coordinates) => {
                 vectors.extend(
@@ -43,6 +48,9 @@ pub fn arguments(printer: &Printer, arrays: &[ArrayId]) -> TokenStream {
             }
             _ => bug!("only inputs, coordinates, rates and given vectors are tested first"),
         }
+    }
+    if !scalars.is_empty() {
+        slices.insert(0, quote!(&[#(#scalars),*]));
     }
     if !slices.is_empty() {
         taken.extend(
@@ -157,26 +165,40 @@ fn entry(printer: &Printer, array: ArrayId, entry: usize) -> TokenStream {
     }
 }
 
+/// The values of an input that are tested.
+enum TestedValues {
+    Scalars(Vec<TokenStream>),
+    Slice(TokenStream),
+}
+
 impl EmitContext<'_> {
-    /// Returns statements, and a slice of all values of an input. There is no slice for an input of a repeated part, which the
-    /// statements test themselves.
-    fn slice_of_input(&self, number: InputId) -> (TokenStream, Option<TokenStream>) {
+    /// Returns statements, and the values of an input that are tested after them. There are none for an input of a repeated
+    /// part, which the statements test themselves.
+    fn checked_input(&self, number: InputId) -> (TokenStream, Option<TestedValues>) {
         let mstmm = &self.mstmm;
         let input = &self.layout.inputs[number];
         let name = self.chain.name_of_input(input.what);
-        let slice = |from: &TokenStream| match input.what {
+        let checked = |from: &TokenStream| match input.what {
             InputKind::Motion(_) => {
                 let variables = self.input_variables(number);
-                (self.read_input(number, from, &variables), quote!(&[#(#variables),*]))
+                let taken = self.read_input(number, from, &variables);
+                let variables = variables.iter().map(ToTokens::to_token_stream);
+                (taken, TestedValues::Scalars(variables.collect()))
             }
-            _ if input.range.len() == 1 => (TokenStream::new(), quote!(&[#from])),
-            _ => (TokenStream::new(), quote!(#from.as_slice())),
+            _ if input.range.len() == 1 => {
+                (TokenStream::new(), TestedValues::Scalars(vec![from.clone()]))
+            }
+            _ => (TokenStream::new(), TestedValues::Slice(quote!(#from.as_slice()))),
         };
         if self.chain.repeat_of_input(input.what).is_none() {
-            let (taken, slice) = slice(&quote!(inputs_.#name));
-            return (taken, Some(slice));
+            let (taken, checked) = checked(&quote!(inputs_.#name));
+            return (taken, Some(checked));
         }
-        let (taken, slice) = slice(&quote!(item_));
+        let (taken, checked) = checked(&quote!(item_));
+        let slice = match checked {
+            TestedValues::Scalars(values) => quote!(&[#(#values),*]),
+            TestedValues::Slice(slice) => slice,
+        };
         let each = quote! {
             for &item_ in &inputs_.#name {
                 #taken
