@@ -8,7 +8,7 @@ mstmm_chain! {
     /// A floating body with four legs, mirrored from left to right and from front to back, and two arms.
     pub chain Robot {
         gravity = [0, 0, -9.81] m/s^2;
-        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull];
+        answers = [basic, bias_efforts, momentum, derivatives, linearize, push, pull];
         param damping = 0.1 N*m*s/rad;
 
         body Trunk {
@@ -88,7 +88,6 @@ fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
     all.extend(robot.bias_efforts(&state, &inputs)?.iter());
     all.extend(robot.mass_matrix(&state, &inputs)?.iter());
     all.extend(robot.inverse_mass_matrix(&state, &inputs)?.iter());
-    all.extend(robot.regressor(&state, &accelerations, &inputs)?.iter());
     let derivatives = robot.inverse_dynamics_derivatives(&state, &accelerations, &inputs)?;
     all.extend(derivatives.by_coordinates.iter().chain(derivatives.by_rates.iter()));
     let linear = robot.linearize(&state, &inputs)?;

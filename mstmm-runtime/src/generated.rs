@@ -10,6 +10,7 @@ mod formats;
 mod linkage;
 mod not_asked;
 mod packs;
+mod regressor;
 
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
@@ -31,6 +32,7 @@ pub use columns::{MotorColumns, columns, input_columns};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
 pub use packs::{lane, pack};
+pub use regressor::{regressor_of_bodies, regressor_of_elements};
 
 #[cfg(feature = "approx")]
 pub use approx;

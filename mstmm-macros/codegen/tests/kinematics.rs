@@ -9,11 +9,12 @@ mod points;
 #[path = "answers_random/samples.rs"]
 mod samples;
 
+use common::interpreter::run;
 use common::numbers;
 use common::points::element_points;
 use mstmm_codegen::compile::{RatePaths, outputs};
 use mstmm_codegen::model::{Answer, BodyFrame, Element, Layout};
-use mstmm_codegen::program::Argument;
+use mstmm_codegen::program::{Argument, Given};
 use points::{Asked, BodyAt, Seen, bodies, see};
 use samples::{Kind, Sample, dot, largest, samples, times};
 
@@ -27,6 +28,7 @@ fn check(kind: Kind, seeds: std::ops::Range<u64>) {
     for sample in samples(kind, seeds, "jacobian") {
         at_all_points(&sample);
         products(&sample);
+        jacobians_of_end_bodies(&sample);
     }
 }
 
@@ -158,4 +160,42 @@ fn products(sample: &Sample) {
             .collect();
         sample.check("Jᵀ w", (efforts, &expected), scale, SUMS);
     }
+}
+
+/// The Jacobian of a body at a free end is that of its kinematics, column by column. Both are sums over the hinges of the
+/// path, in another order.
+fn jacobians_of_end_bodies(sample: &Sample) {
+    let (chain, compiled) = (&sample.chain, &sample.compiled);
+    if compiled.jacobians.is_empty() {
+        return;
+    }
+    let of_bodies = seen(sample, None, true, &Asked::default());
+    let values = numbers::<f64>(chain);
+    for (body, procedure) in &compiled.jacobians {
+        let place = chain.frame_values(&chain.bodies[*body], BodyFrame::Output).position;
+        let place = place.into_iter().map(|value| values.scalar(value).value()).collect();
+        let mut arrays = sample.given::<f64>().arrays;
+        arrays.arguments.insert(Argument::Given(Given::Place), place);
+        run(procedure, &mut arrays)
+            .unwrap_or_else(|error| panic!("{}: {error:?}", sample.named("jacobian")));
+        let found = arrays.result(outputs::MATRIX);
+        let index = bodies(chain).iter().position(|at| at.body == *body).expect("a body");
+        let rows = chain.dimension.axes().len();
+        let jacobian = &of_bodies[index].jacobian;
+        let entry = |(column, row): (usize, usize)| jacobian[row][column];
+        let all = (0..sample.rates()).flat_map(|column| (0..rows).map(move |row| (column, row)));
+        let expected: Vec<f64> = all.map(entry).collect();
+        let positions: Vec<f64> = of_bodies.iter().flat_map(|seen| seen.position.clone()).collect();
+        let scale = largest(&expected).max(largest(&positions));
+        sample.check("Jacobian of a body", (&found, &expected), scale, SUMS);
+    }
+}
+
+#[test]
+fn end_bodies_have_jacobians() {
+    let count = |kind, seeds: std::ops::Range<u64>| -> usize {
+        samples(kind, seeds, "jacobian").map(|sample| sample.compiled.jacobians.len()).sum()
+    };
+    assert!(count(Kind::Route, 0..20) > 5);
+    assert!(count(Kind::OpenTree, 1000..1010) > 5);
 }

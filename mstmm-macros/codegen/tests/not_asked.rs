@@ -84,7 +84,10 @@ fn a_method_that_a_word_adds_is_an_error_without_the_word() {
     assert!(clashes.is_empty(), "every chain has {clashes:?}");
     for (word, _) in ANSWER_WORDS {
         let with = generated(&format!("answers = {word};"));
-        for method in with.iter().filter(|method| !always.contains(method)) {
+        // The list cannot have methods that are named for a body of the chain.
+        let is_of_chain = |method: &&Method| !method.0.starts_with("lower_jacobian");
+        let added = with.iter().filter(|method| !always.contains(method));
+        for method in added.filter(is_of_chain) {
             assert!(not_asked.contains_key(method), "{word} adds {method:?}, which has no error");
         }
     }

@@ -74,11 +74,11 @@ asked!(
     Panda,
     PandaVariation,
     (7, 0, 70, 70), [vectors jacobian regressor matrices],
-    (|at| Some(at.l7().output())),
+    (l7_jacobian_into, [0.0, 0.0, 0.107]),
     |inputs, torques| each_hinge!(inputs, torques, j1 j2 j3 j4 j5 j6 j7)
 );
 asked!(Balls3, Balls3Variation, (9, 0, 30, 30), [vectors jacobian regressor matrices],
-    (|at| Some(at.b3().output())), |inputs, torques| {
+    (b3_jacobian_into, [1.0, 0.0, 0.0]), |inputs, torques| {
     let hinges = [&mut inputs.j1, &mut inputs.j2, &mut inputs.j3];
     for (hinge, torque) in hinges.into_iter().zip(torques.as_chunks::<3>().0) {
         *hinge = (*torque).into();
@@ -94,7 +94,7 @@ asked!(
     Hyq,
     HyqVariation,
     (18, 6, 142, 130), [vectors jacobian regressor matrices],
-    (|at| Some(at.rh_shank().output())),
+    (rh_shank_jacobian_into, [0.346, 0.0, 0.0]),
     |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
         lf_haa lf_hfe lf_kfe rf_haa rf_hfe rf_kfe lh_haa lh_hfe lh_kfe rh_haa rh_hfe rh_kfe),
     |chain| {
@@ -106,7 +106,7 @@ asked!(
     G1,
     G1Variation,
     (35, 6, 300, 300), [vectors jacobian regressor matrices],
-    (|at| Some(at.right_arm_wrist_yaw_link().input())),
+    (right_arm_wrist_yaw_link_jacobian_into, [0.0; 3]),
     |inputs, torques| each_hinge!(inputs, &torques[FLOATING..],
     waist_yaw waist_roll waist_pitch
     left_leg_hip_pitch left_leg_hip_roll left_leg_hip_yaw

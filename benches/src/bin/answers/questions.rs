@@ -125,6 +125,7 @@ macro_rules! jacobian {
         (|$kinematics:ident| $tip:expr)
     ) => {
         match $question {
+            // The body is repeated: it has its Jacobian by the kinematics.
             "jacobian" => Some(perform(
                 &$samples,
                 $task,
@@ -141,6 +142,27 @@ macro_rules! jacobian {
             _ => None,
         }
     };
+    (
+        $chain:ident,
+        $samples:ident,
+        $task:ident,
+        $question:ident,
+        $variation:ident,
+        $sizes:tt,
+        ($jacobian_into:ident, $place:expr)
+    ) => {{
+        let place = SVector::from($place.map(T::constant));
+        match $question {
+            "jacobian" => Some(perform(
+                &$samples,
+                $task,
+                jacobian_of!($sizes),
+                |s, out| $chain.$jacobian_into(&s.state, &s.inputs, &place, out),
+                entries,
+            )),
+            _ => None,
+        }
+    }};
 }
 
 /// Sizes are the numbers of rates, of a floating base's rates, of dynamic parameters, and of inertial

@@ -4,7 +4,7 @@ use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
 use crate::equations::writes_matrices_out;
 use crate::examine::Findings;
-use crate::model::{Answer, Chain, ClosureRank, Layout, Passive, Request};
+use crate::model::{Answer, Chain, ClosureRank, Dimension, Layout, Passive, Request};
 use crate::passes::Checks;
 use crate::program::{Failure, OutputId};
 
@@ -24,7 +24,7 @@ pub(super) struct FunctionSpec {
 const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -43,7 +43,11 @@ pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
         answer: Answer::Solution,
         when: always,
         trace: |chain| chain.solution(),
-        checks: Some(Checks { finite: outputs::ACCELERATIONS, failure: Failure::Reset }),
+        checks: Some(Checks {
+            finite: outputs::ACCELERATIONS,
+            failure: Failure::Reset,
+            unread: true,
+        }),
     },
     FunctionSpec {
         answer: Answer::Energy,
@@ -113,7 +117,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
             asks(chain, Request::InverseDynamics) && layout.loop_hinges.is_empty()
         },
         trace: |chain| chain.inverse_solution(),
-        checks: Some(Checks { finite: outputs::EFFORTS, failure: Failure::Reset }),
+        checks: Some(Checks { finite: outputs::EFFORTS, failure: Failure::Reset, unread: true }),
     },
     FunctionSpec {
         answer: Answer::MassMatrixTimes,
@@ -210,7 +214,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
             [Request::Kinematics, Request::Jacobian].iter().any(|&it| asks(chain, it))
         },
         trace: |chain| chain.kinematics(),
-        checks: Some(Checks { finite: outputs::MOTIONS, failure: Failure::Reset }),
+        checks: Some(Checks { finite: outputs::MOTIONS, failure: Failure::Reset, unread: true }),
     },
     FunctionSpec {
         answer: Answer::Momentum,
@@ -224,17 +228,30 @@ pub(super) static FUNCTIONS: [FunctionSpec; 30] = [
         trace: |chain| chain.momentum_matrix(),
         checks: checked(outputs::MOMENTUM),
     },
+    FunctionSpec {
+        answer: Answer::RegressorMotions,
+        when: |chain, _, layout| {
+            asks(chain, Request::Regressor) && has_regressor_by_rates(chain, layout)
+        },
+        trace: |chain| chain.regressor_motions(),
+        checks: dense(outputs::MOTIONS),
+    },
 ];
 
 /// The output must be finite; after a failure the caller's storage is unchanged.
 const fn checked(finite: OutputId) -> Option<Checks> {
-    Some(Checks { finite, failure: Failure::Untouched })
+    Some(Checks { finite, failure: Failure::Untouched, unread: true })
 }
 
 /// The output must be finite; after a failure some entries may have been written.
 const fn dense(finite: OutputId) -> Option<Checks> {
-    Some(Checks { finite, failure: Failure::PartlyWritten })
+    Some(Checks { finite, failure: Failure::PartlyWritten, unread: true })
 }
+
+/// The Jacobian of a point must be finite. Rates and other hinges do not matter, and to test them would take a part of the
+/// time of a short function.
+pub(super) const OF_POINT: Option<Checks> =
+    Some(Checks { finite: outputs::MATRIX, failure: Failure::PartlyWritten, unread: false });
 
 /// Returns whether the matrices of a chain are computed entry by entry, not column by column in loops.
 fn is_dense(chain: &Chain, layout: &Layout) -> bool {
@@ -253,6 +270,13 @@ pub(super) fn is_by_columns(chain: &Chain, layout: &Layout, answer: Answer) -> b
         Answer::ClosureJacobianTimes => true,
         _ => false,
     }
+}
+
+/// Returns whether the regressor of a chain can be computed with several rates at a time. A few rates would leave most
+/// lanes empty.
+fn has_regressor_by_rates(chain: &Chain, layout: &Layout) -> bool {
+    let is_in_space = chain.dimension == Dimension::Space;
+    is_in_space && chain.repeats.is_empty() && layout.dof_count() > 2
 }
 
 /// Returns whether a chain is asked for matrices that are computed column by column.

@@ -5,8 +5,9 @@ use super::{layouts, outputs};
 use crate::equations::{self, BodyMotion};
 use crate::expr::Expr;
 use crate::function::{Function, Output, Written};
-use crate::math::Motion;
-use crate::model::{BodyId, Request};
+use crate::math::{Motion, Vec3};
+use crate::model::{BodyId, MovesWith, Request};
+use crate::program::Given;
 
 impl<'a> ChainCompiler<'a> {
     pub(super) fn kinematics(&self) -> Traced<'a> {
@@ -34,6 +35,38 @@ impl<'a> ChainCompiler<'a> {
             let layout = layouts::changing_frames(self.chain);
             outputs.push(by_entry(self.output(outputs::FRAMES, layout, &frames)));
         }
+        Function { outputs, ..function }.into()
+    }
+
+    /// Returns the bodies with a Jacobian that is computed without the motions of other bodies: those at the free ends of a
+    /// chain that has no repeated parts and is not closed.
+    pub(super) fn end_bodies(&self) -> Vec<BodyId> {
+        let layout = self.layout;
+        let is_asked = self.chain.requests.contains(&Request::Jacobian);
+        if !is_asked || !self.chain.repeats.is_empty() || !layout.loop_hinges.is_empty() {
+            return Vec::new();
+        }
+        let is_end = |body: &BodyId| match layout.parts[*body] {
+            MovesWith::Ground => false,
+            MovesWith::Link(link) => layout.links.iter().all(|other| other.parent != Some(link)),
+        };
+        self.chain.physical_bodies().filter(is_end).collect()
+    }
+
+    /// Returns the function for the Jacobian of any point of a body.
+    pub(super) fn jacobian_of(&self, body: BodyId) -> Traced<'a> {
+        let given = self.given(Given::Place);
+        let mut place = Vec3::zero();
+        for (&axis, value) in self.chain.dimension.translations().iter().zip(given) {
+            place.0[axis] = value;
+        }
+        let (columns, function) = self.traced(|tracer, trace| {
+            let context = self.context(self.merged).with_loops(tracer);
+            equations::point_jacobian(&context, body, place, trace)
+        });
+        let columns = columns.iter().flat_map(|column| self.numbers_of_column(column));
+        let output = self.once(outputs::MATRIX, &columns.collect::<Vec<_>>());
+        let outputs = vec![Output { written: Written::ByEntry, ..output }];
         Function { outputs, ..function }.into()
     }
 

@@ -29,6 +29,11 @@ pub fn rates(chain: &Chain, layout: &Layout) -> ArrayLayout {
     of_hinges(chain, |hinge| layout.v[hinge].len())
 }
 
+/// Returns the number of rates, rounded up so that all columns of the widest scalar type are there.
+pub fn padded_rates(layout: &Layout) -> usize {
+    layout.dof_count().next_multiple_of(16)
+}
+
 /// Returns the layout of one entry for every rate, including the rates of prescribed hinges.
 pub fn all_rates(chain: &Chain, layout: &Layout) -> ArrayLayout {
     of_hinges(chain, |hinge| layout.rates[hinge].len())
@@ -78,6 +83,11 @@ pub fn points(chain: &Chain, points: &ConnectionPoints) -> ArrayLayout {
 /// Returns the layout of one entry for every body on the routes.
 pub fn bodies(chain: &Chain) -> ArrayLayout {
     of(chain, chain.physical_bodies().map(|body| (1, chain.repeat_of_body(body))))
+}
+
+/// Returns the layout of the position of a point.
+pub fn place(chain: &Chain) -> ArrayLayout {
+    ArrayLayout::once(chain.dimension.translations().len())
 }
 
 /// Returns the number of stored values of a body's motion.

@@ -28,11 +28,11 @@ pub use text::chain_text;
 use crate::examine::Findings;
 use crate::expr::Graph;
 use crate::function::Unknowns;
-use crate::model::{Answer, Chain, Check, Layout, SolutionMethod};
+use crate::model::{Answer, BodyId, Chain, Check, Layout, SolutionMethod};
 use crate::passes::{SetupSlots, pack_limbs};
 use crate::program::Procedure;
 use compiler::ChainCompiler;
-use function_table::{FUNCTIONS, FunctionSpec, is_by_columns};
+use function_table::{FUNCTIONS, FunctionSpec, OF_POINT, is_by_columns};
 
 /// All functions of a chain.
 #[derive(Clone, Debug)]
@@ -43,6 +43,8 @@ pub struct Compiled {
     pub method: SolutionMethod,
     /// The functions, in the order of [`Answer::ALL`].
     pub functions: Vec<CompiledFunction>,
+    /// The Jacobians of points of bodies at free ends, each with its body.
+    pub jacobians: Vec<(BodyId, Procedure)>,
     /// The function from parameters and constants to the slots of all functions and the values of [`Compiled::checks`].
     pub setup: CompiledFunction,
     /// The conditions on values that are known only at run time.
@@ -73,7 +75,12 @@ impl Compiled {
     /// Adds the packed forms of the functions of a chain.
     pub fn pack_limbs(&mut self, chain: &Chain, layout: &Layout) {
         let limbs = limbs::limbs(chain, layout, &Layout::merged(chain));
+        let by_rates = self.find(Answer::RegressorMotions).is_some();
         for function in &mut self.functions {
+            // The regressor by rates is faster.
+            if by_rates && function.answer == Some(Answer::Regressor) {
+                continue;
+            }
             function.packed = pack_limbs(&function.procedure, &limbs);
         }
     }
@@ -108,6 +115,11 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             let function = pipeline::order(traced.function, by_columns, &mut setup);
             ordered.push((spec, by_columns, function));
         }
+        let order_of = |body, setup: &mut SetupSlots| {
+            pipeline::order(compiler.jacobian_of(body).function, false, setup)
+        };
+        let jacobians = compiler.end_bodies().into_iter();
+        let jacobians: Vec<_> = jacobians.map(|body| (body, order_of(body, &mut setup))).collect();
         let checks = chain.checks();
         let of_setup = compiler.setup(&setup, &checks);
         let of_setup = pipeline::order(of_setup, false, &mut SetupSlots::default());
@@ -118,6 +130,8 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             packed: None,
         };
         let setup_function = finish(None, false, of_setup, None);
+        let finished = |ordered| pipeline::finish(ordered, OF_POINT, &setup);
+        let jacobians = jacobians.into_iter().map(|(body, ordered)| (body, finished(ordered)));
         let functions = ordered.into_iter();
         let functions = functions.map(|(spec, by_columns, ordered)| {
             finish(Some(spec.answer), by_columns, ordered, spec.checks)
@@ -126,6 +140,7 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
             unknowns: compiler.unknowns().clone(),
             method: compiler.method(),
             functions: functions.collect(),
+            jacobians: jacobians.collect(),
             setup: setup_function,
             checks,
             point_storage: storage,

@@ -45,6 +45,8 @@ pub const BY_INPUTS: OutputId = OutputId::new("by_inputs");
 pub const BY_PARAMETERS: OutputId = OutputId::new("by_parameters");
 /// The regressor, column by column.
 pub const REGRESSOR: OutputId = OutputId::new("regressor");
+/// The entries of the regressor's columns of passive elements.
+pub const PASSIVE: OutputId = OutputId::new("passive");
 /// The dynamic parameters.
 pub const DYNAMIC_PARAMETERS: OutputId = OutputId::new("dynamic_parameters");
 /// A matrix with one row and column for each rate, by columns.

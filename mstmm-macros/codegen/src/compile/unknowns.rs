@@ -54,6 +54,7 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
             Given::Accelerations => (layouts::rates(chain, layout), "acceleration"),
             Given::Vector => (layouts::rates(chain, layout), "vector"),
             Given::DynamicParameters => (layouts::dynamic_parameters(chain), "dynamic_parameter"),
+            Given::Place => (layouts::place(chain), "place"),
             Given::VirtualRates => (layouts::rates(chain, layout), "virtual_rate"),
             Given::CoordinateDirection => (layouts::rates(chain, layout), "coordinate_direction"),
             Given::RateDirection => (layouts::rates(chain, layout), "rate_direction"),
@@ -78,7 +79,8 @@ fn given(chain: &Chain, layout: &Layout) -> Vec<Given> {
     let of_request = |request: &Request| match request {
         Request::InverseDynamics => vec![Given::Accelerations],
         Request::Regressor => vec![Given::Accelerations, Given::DynamicParameters],
-        Request::MassMatrix | Request::Jacobian => vec![Given::Vector],
+        Request::MassMatrix => vec![Given::Vector],
+        Request::Jacobian => vec![Given::Vector, Given::Place],
         Request::Pull => vec![
             Given::Vector,
             Given::Accelerations,

@@ -101,6 +101,7 @@ pub fn given(given: Given) -> (&'static str, TokenStream) {
         Given::Accelerations => ("accelerations", quote!((*accelerations_))),
         Given::Vector => ("vector", quote!((*vector_))),
         Given::DynamicParameters => ("parameters", quote!((*parameters_))),
+        Given::Place => ("place", quote!((*place_))),
         Given::VirtualRates => bug!("virtual rates are not given"),
         Given::CoordinateDirection => ("direction.coordinates", quote!(direction_.coordinates)),
         Given::RateDirection => ("direction.rates", quote!(direction_.rates)),

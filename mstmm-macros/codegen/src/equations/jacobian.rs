@@ -76,6 +76,38 @@ pub fn chain_kinematics<S: Scalar>(
     ChainKinematics { bodies, columns: columns(context, &links, &poses, trace) }
 }
 
+/// Returns the columns of the Jacobian of the point at `place` in the frame of a body: one for each free rate
+/// in the layout's order, about the point. The columns of rates that do not move the body vanish.
+///
+/// Only the links between the ground and the body matter, so that a function for a single body computes
+/// nothing else.
+pub fn point_jacobian<S: Scalar>(
+    context: &EvalContext<S>,
+    body: BodyId,
+    place: Vec3<S>,
+    trace: &mut Trace<S>,
+) -> Vec<Motion<S>> {
+    let mut columns = vec![Motion::zero(); context.layout.dof_count()];
+    let Some(moved) = link_of(context.layout.parts[body]) else { return columns };
+    let links = kinematics(context, Axes::Inertial, trace);
+    let poses = poses(context, &links);
+    let link = &links[moved];
+    let (origin, rotation) = context.frame(body);
+    let arm = link.part_to_work * (origin - link.point + rotation * place);
+    let point = poses[moved].position + arm;
+    trace.section("jacobian", "Jacobian of the point", "");
+    for inboard in context.tree.path_to(moved) {
+        let hinge = &links[inboard].hinge;
+        let range = context.layout.v[hinge.id].clone();
+        let free = columns[range].iter_mut().zip(&hinge.subspace);
+        for (number, (column, unit)) in free.enumerate() {
+            *column = unit.shifted_to(point - poses[inboard].position);
+            trace.motion(&format!("{}_column{number}", hinge.name), *column);
+        }
+    }
+    columns
+}
+
 /// Returns the bias accelerations of all links' points by equation (1).
 fn bias_accelerations<S: Scalar>(
     context: &EvalContext<S>,

@@ -58,6 +58,7 @@ mod point_reader;
 mod pull;
 mod push;
 mod regressor;
+mod regressor_motions;
 mod report;
 mod riccati;
 mod springs;
@@ -81,7 +82,7 @@ pub use inverse_dynamics::{
     passive_efforts,
 };
 pub use inverse_mass_matrix::inverse_mass_matrix;
-pub use jacobian::{BodyMotion, ChainKinematics, chain_kinematics};
+pub use jacobian::{BodyMotion, ChainKinematics, chain_kinematics, point_jacobian};
 pub use kinematics::{LinkKinematics, kinematics};
 pub use linearization::{Linearization, linearization};
 pub use momentum::{ChainMomentum, momentum, momentum_matrix};
@@ -92,6 +93,7 @@ pub use projection::{Projection, closure_jacobian_times, displace, project};
 pub use pull::virtual_power;
 pub use push::{PushedDynamics, missing_efforts, push};
 pub use regressor::{dynamic_parameters, regressor, regressor_times};
+pub use regressor_motions::{GivenMotion, RegressorMotions, regressor_motions};
 pub use report::{Report, report};
 pub use springs::{SpringReport, spring_report};
 pub use strategy::{AXES, Axes, writes_matrices_out};

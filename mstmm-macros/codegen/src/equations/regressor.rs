@@ -221,7 +221,7 @@ fn inertia_of<S: Scalar>(parameter: InertialParameter, value: S) -> RigidInertia
 
 /// Returns the entries of a passive element's column at the rates of its hinge: minus its efforts, with its
 /// number one and all other elements of the hinge removed.
-fn of_element<S: Scalar>(
+pub(super) fn of_element<S: Scalar>(
     context: &EvalContext<S>,
     id: HingeId,
     (k, element): (usize, PassiveElement),

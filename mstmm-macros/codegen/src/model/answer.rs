@@ -63,12 +63,14 @@ pub enum Answer {
     Momentum,
     /// The matrix that maps rates to momentum.
     MomentumMatrix,
+    /// The motions that the regressor is made of, with several rates at a time.
+    RegressorMotions,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 30] = [
+    pub const ALL: [Answer; 31] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -99,6 +101,7 @@ impl Answer {
         Answer::Kinematics,
         Answer::Momentum,
         Answer::MomentumMatrix,
+        Answer::RegressorMotions,
     ];
 
     /// Returns whether chains have this function only if their description asks for it.
@@ -139,6 +142,7 @@ impl Answer {
             Answer::Kinematics => "kinematics",
             Answer::Momentum => "momentum",
             Answer::MomentumMatrix => "momentum_matrix",
+            Answer::RegressorMotions => "regressor_motions",
         }
     }
 }

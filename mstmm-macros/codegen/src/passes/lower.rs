@@ -16,6 +16,8 @@ pub struct Checks {
     pub finite: OutputId,
     /// The contents of the results after a failure.
     pub failure: Failure,
+    /// Whether all coordinates, rates and inputs are tested, also those that the function does not read.
+    pub unread: bool,
 }
 
 /// Adds loads, tests and stores to the program of a function. `setup` has the slots of all functions.
@@ -37,8 +39,8 @@ pub fn lower(
     lowering.number_checks();
     let mut body = Vec::new();
     let finiteness = checks.map(|checks| program.finiteness(function.entries_of(checks.finite)));
-    if let Some(finiteness) = &finiteness {
-        body.extend(lowering.check_arguments(finiteness));
+    if let (Some(checks), Some(finiteness)) = (checks, &finiteness) {
+        body.extend(lowering.check_arguments(checks, finiteness));
     }
     body.extend(lowering.loads(None, &program.unknowns, &program.slots));
     for (number, block) in program.blocks.enumerate() {
@@ -259,17 +261,20 @@ impl Lowering<'_> {
 
     /// Returns whether the program reads an argument.
     fn is_read(&self, argument: Argument) -> bool {
-        let own = self.function.unknowns.of(argument);
+        self.function.unknowns.of(argument).into_iter().any(|symbol| self.reads(symbol))
+    }
+
+    fn reads(&self, symbol: SymbolId) -> bool {
         let of_loops = self.program.loops().flat_map(|loop_| &loop_.unknowns);
-        self.program.unknowns.iter().chain(of_loops).any(|(symbol, _)| own.contains(*symbol))
+        self.program.unknowns.iter().chain(of_loops).any(|(read, _)| *read == symbol)
     }
 
     /// Tests the inputs and the caller's vectors that no result covers, and also the coordinates and rates if there are loops or repeated parts.
-    fn check_arguments(&mut self, finiteness: &Finiteness) -> Option<Step> {
+    fn check_arguments(&mut self, checks: Checks, finiteness: &Finiteness) -> Option<Step> {
         let unknowns = self.function.unknowns;
         let arguments: Vec<Argument> = unknowns.arguments().map(|(argument, _)| argument).collect();
         let is_tested = |argument: &Argument| match argument {
-            Argument::Input(_) => true,
+            Argument::Input(_) => checks.unread || self.is_read(*argument),
             Argument::Coordinates | Argument::Rates => self.looped || self.has_repeated(*argument),
             Argument::Given(_) => self.is_read(*argument),
             _ => false,
@@ -302,7 +307,15 @@ impl Lowering<'_> {
                     continue;
                 }
                 let symbols = self.function.unknowns.of(argument).into_iter().enumerate();
-                for (entry, _) in symbols.filter(|(_, it)| !finiteness.covered.contains(it)) {
+                let is_tested = |symbol: &SymbolId| {
+                    let is_tested = checks.unread || self.reads(*symbol);
+                    is_tested && !finiteness.covered.contains(symbol)
+                };
+                let tested: Vec<usize> = symbols
+                    .filter(|(_, symbol)| is_tested(symbol))
+                    .map(|(entry, _)| entry)
+                    .collect();
+                for entry in tested {
                     finite.push(Witness::Entry(self.argument(argument), entry));
                 }
             }

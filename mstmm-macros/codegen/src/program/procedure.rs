@@ -95,7 +95,7 @@ impl Argument {
                 | Given::InputDirection
                 | Given::ParameterDirection
                 | Given::DynamicParameters => true,
-                Given::Accelerations | Given::VirtualRates => false,
+                Given::Accelerations | Given::VirtualRates | Given::Place => false,
             },
             _ => false,
         }
@@ -111,6 +111,8 @@ pub enum Given {
     Vector,
     /// Values of the dynamic parameters.
     DynamicParameters,
+    /// The position of a point in the frame of its body.
+    Place,
     /// The rates of a virtual motion. They are replaced by formulas before a function is compiled.
     VirtualRates,
     /// The part of a direction along the coordinates: a small motion along the rates.

@@ -1,5 +1,6 @@
 //! The generated methods, one for each function of the table.
 
+mod body_jacobian;
 mod by_columns;
 mod closure_jacobian;
 mod column_products;
@@ -12,6 +13,7 @@ mod momentum;
 mod packed;
 mod products;
 mod regressor;
+mod regressor_by_rates;
 mod state;
 
 use super::names::helper;
@@ -46,9 +48,8 @@ struct MethodTemplate {
 pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = &cx.names.chain;
-    // The change of efforts is a product with several vectors only.
     let functions = cx.compiled.functions.iter();
-    let functions = functions.filter(|function| function.answer != Some(Answer::EffortsChange));
+    let functions = functions.filter(|function| !function.answer.is_some_and(is_part));
     let methods = functions.map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
     let derivatives = derivatives::by_value(cx);
@@ -56,6 +57,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let closure_jacobian = closure_jacobian::matrix(cx);
     let (by_columns, linearize) = (by_columns::emit(cx), by_columns::linearize_trait(cx));
     let column_products = column_products::emit(cx);
+    let body_jacobians = body_jacobian::emit(cx);
     let momentum_matrix = momentum::by_value(cx);
     let regressor = regressor::others(cx);
     let kinematics = kinematics::further(cx);
@@ -75,6 +77,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #by_columns
             #momentum_matrix
             #kinematics
+            #body_jacobians
         }
         #chain_impl
         #generated
@@ -83,10 +86,16 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
+/// Returns whether an answer is only part of another one: a product with several vectors, or the motions that a matrix is
+/// made of.
+fn is_part(answer: Answer) -> bool {
+    matches!(answer, Answer::EffortsChange | Answer::RegressorMotions)
+}
+
 /// Returns a table of the operations of all functions that the description asks for, for the docs of the chain.
 pub fn operations(cx: &EmitContext) -> Vec<String> {
     let requested = cx.compiled.functions.iter().filter_map(|function| {
-        let is_public = |answer: &Answer| answer.is_requested() && *answer != Answer::EffortsChange;
+        let is_public = |answer: &Answer| answer.is_requested() && !is_part(*answer);
         let answer = function.answer.filter(is_public)?;
         let name = template(cx, answer).name.into_iter().last()?.to_string();
         let cost = function.procedure.cost();
@@ -114,7 +123,10 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
         true => column_products::of_one_vector(cx, answer),
         false => cx.procedure(procedure, &fresh, |id| destination(cx, id)),
     };
-    let (dispatch, packed) = packed::emit(cx, function);
+    let (dispatch, packed) = match answer {
+        Answer::Regressor => regressor_by_rates::emit(cx),
+        _ => packed::emit(cx, function),
+    };
     let body = body(quote!(#dispatch #opening #statements), end);
     quote! {
         #packed
@@ -167,6 +179,7 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::Kinematics => kinematics::kinematics(cx),
         Answer::Momentum => momentum::momentum(cx),
         Answer::MomentumMatrix => momentum::momentum_matrix(cx),
+        Answer::RegressorMotions => bug!("the motions of a regressor are no public method"),
     }
 }
 

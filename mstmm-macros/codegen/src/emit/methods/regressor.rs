@@ -11,7 +11,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// Returns rows and columns of the regressor.
-fn size(cx: &EmitContext) -> (Literal, Literal) {
+pub(super) fn size(cx: &EmitContext) -> (Literal, Literal) {
     let columns = layouts::dynamic_parameters(cx.chain).total;
     (usize_literal(cx.rates().total), usize_literal(columns))
 }

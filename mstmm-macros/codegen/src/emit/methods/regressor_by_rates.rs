@@ -1,0 +1,121 @@
+//! The regressor of chains in space for scalar types that have columns: several rates at a time.
+
+use super::super::arrays::usize_literal;
+use super::super::printer::Destination;
+use super::super::procedure::body;
+use super::super::{EmitContext, initial_values};
+use super::dynamics::of_accelerations;
+use super::fallible;
+use super::regressor::size;
+use crate::compile::{layouts, outputs};
+use crate::model::{Answer, BodyId, DynamicParameter, MovesWith};
+use crate::program::{OutputId, PACK};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The number of columns of the regressor for one body.
+const PARAMETERS: usize = 10;
+
+/// Returns the statements that call the method, and the private method. Both are empty if the chain lacks it.
+///
+/// The code for the motions of bodies and rates is that of the chain, the products of both are the same for all chains.
+pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
+    let Some(function) = cx.compiled.find(Answer::RegressorMotions) else {
+        return (TokenStream::new(), TokenStream::new());
+    };
+    let mstmm = &cx.mstmm;
+    let arrays = [outputs::MOTIONS, outputs::COLUMNS, outputs::PASSIVE];
+    let arrays = arrays.iter().filter_map(|&id| {
+        let initial = initial_values::array_of(cx, Answer::RegressorMotions, id)?;
+        let name = format_ident!("{}_", id.name);
+        Some(quote!(let mut #name = #initial;))
+    });
+    let destination = |id: OutputId| {
+        let name = format_ident!("{}_", id.name);
+        Destination::Array(quote!(#name))
+    };
+    let fresh = TokenStream::new();
+    let statements = match &function.packed {
+        Some(packed) => cx.procedure_of_packs(packed, &fresh, destination),
+        None => cx.procedure(&function.procedure, &fresh, destination),
+    };
+    let bodies = cx.chain.physical_bodies().count();
+    let elements = elements(cx);
+    let (paths, first_element) = (paths(cx), usize_literal(PARAMETERS * bodies));
+    let padded = usize_literal(layouts::padded_rates(cx.layout));
+    let of_elements = (!elements.is_empty()).then(|| {
+        quote! {
+            if let ::core::option::Option::Some(elements_) = regressor_.data.0.get_mut(#first_element..) {
+                #mstmm::generated::regressor_of_elements(&passive_, &[#(#elements),*], elements_);
+            }
+        }
+    });
+    let opening = quote! {
+        #(#arrays)*
+        #statements
+        #mstmm::generated::regressor_of_bodies::<T, C, _, #padded, _>(
+            motions_.as_chunks::<3>().0.as_chunks::<7>().0,
+            &[#(#paths),*],
+            #mstmm::generated::chunks::<_, #padded, 0, 6>(&columns_),
+            &mut regressor_.data.0,
+        );
+        #of_elements
+    };
+    let body = body(opening, quote!(::core::result::Result::Ok(())));
+    let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
+    let (rows, columns) = size(cx);
+    let lanes = usize_literal(PACK);
+    let dispatch = quote! {
+        if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT >= #lanes {
+            return self.regressor_by_rates_::<<T as #mstmm::Scalar>::Pack>(
+                state_,
+                accelerations_,
+                inputs_,
+                regressor_,
+            );
+        }
+    };
+    let method = quote! {
+        #[allow(unused_doc_comments, unused_variables, clippy::all)]
+        fn regressor_by_rates_<C: #mstmm::Columns<T>>(
+            &self,
+            #given
+            regressor_: &mut #mstmm::nalgebra::SMatrix<T, #rows, #columns>,
+        ) -> #returns #body
+    };
+    (dispatch, method)
+}
+
+/// Returns for each body the rates that move it: bit `k` belongs to rate `k`, with 64 bits in each word.
+fn paths(cx: &EmitContext) -> Vec<TokenStream> {
+    let words = cx.layout.dof_count().div_ceil(64);
+    let path = |body: BodyId| {
+        let mut bits = vec![0_u64; words];
+        let mut next = match cx.layout.parts[body] {
+            MovesWith::Ground => None,
+            MovesWith::Link(link) => Some(link),
+        };
+        while let Some(link) = next {
+            let link = &cx.layout.links[link];
+            cx.layout.v[link.hinge].clone().for_each(|rate| bits[rate / 64] |= 1 << (rate % 64));
+            next = link.parent;
+        }
+        let bits = bits.into_iter().map(Literal::u64_unsuffixed);
+        quote!([#(#bits),*])
+    };
+    cx.chain.physical_bodies().map(path).collect()
+}
+
+/// Returns for each passive element the first rate of its hinge and the number of these rates.
+fn elements(cx: &EmitContext) -> Vec<TokenStream> {
+    let parameters = cx.chain.dynamic_parameters().into_iter();
+    let element = |parameter| match parameter {
+        DynamicParameter::Passive(hinge, ..) => {
+            let range = &cx.layout.v[hinge];
+            let [first, count] = [range.start, range.len()].map(usize_literal);
+            Some(quote!([#first, #count]))
+        }
+        DynamicParameter::Inertial(..) => None,
+    };
+    parameters.filter_map(element).collect()
+}
