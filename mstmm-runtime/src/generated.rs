@@ -28,7 +28,7 @@ pub use checks::{
     PIVOT_ULPS, check_argument, check_finite, check_finite_slice, or_argument, pivot_error,
     pivots_ok,
 };
-pub use columns::{MotorColumns, columns, input_columns};
+pub use columns::{MotorColumns, columns, columns_of_part, input_columns};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::NotAsked;
 pub use packs::{lane, pack};

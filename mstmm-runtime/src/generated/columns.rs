@@ -14,17 +14,32 @@ pub fn columns<T: Scalar, const R: usize, const C: usize>(
     matrix: &mut SMatrix<T, R, C>,
     product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
 ) -> Result<(), Error> {
-    columns_where(matrix, |_| true, product)
+    let mut units = super::vector([T::Columns::constant(0.0); C]);
+    columns_where(matrix, |_| true, (&mut units, |units| units), product)
+}
+
+/// Computes a matrix as [`columns`] does, from products with a factor of several parts, of which one has the unit vectors.
+/// The factor must be zero, and is zero afterwards.
+///
+/// # Errors
+///
+/// Those of [`columns`]. The factor may then have unit vectors.
+pub fn columns_of_part<T: Scalar, F, const R: usize, const C: usize>(
+    matrix: &mut SMatrix<T, R, C>,
+    factor: (&mut F, fn(&mut F) -> &mut Units<T, C>),
+    product: impl FnMut(&F, &mut SVector<T::Columns, R>) -> Result<(), Error>,
+) -> Result<(), Error> {
+    columns_where(matrix, |_| true, factor, product)
 }
 
 /// Computes the columns that are wanted, and may compute neighbours of them.
-fn columns_where<T: Scalar, const R: usize, const C: usize>(
+fn columns_where<T: Scalar, F, const R: usize, const C: usize>(
     matrix: &mut SMatrix<T, R, C>,
     is_wanted: impl Fn(usize) -> bool,
-    mut product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
+    (factor, part): (&mut F, fn(&mut F) -> &mut Units<T, C>),
+    mut product: impl FnMut(&F, &mut SVector<T::Columns, R>) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let zero = T::Columns::constant(0.0);
-    let mut units = super::vector([zero; C]);
     let mut products = super::vector([zero; R]);
     let count = <T::Columns as Columns<T>>::COUNT;
     for (block, columns) in matrix.data.0.chunks_mut(count).enumerate() {
@@ -32,13 +47,13 @@ fn columns_where<T: Scalar, const R: usize, const C: usize>(
         if !range.clone().any(&is_wanted) {
             continue;
         }
-        for (number, unit) in ones(&mut units, range.clone()).iter_mut().enumerate() {
+        for (number, unit) in ones(part(factor), range.clone()).iter_mut().enumerate() {
             *unit = T::Columns::from_fn(|column| T::constant(f64::from(column == number)));
         }
-        product(&units, &mut products)?;
+        product(factor, &mut products)?;
         let [rows] = &products.data.0;
         T::Columns::write_columns(rows, columns);
-        ones(&mut units, range).fill(zero);
+        ones(part(factor), range).fill(zero);
     }
     Ok(())
 }
@@ -75,15 +90,16 @@ impl MotorColumns {
 }
 
 /// Computes the columns of inputs: those of motors are columns of `inverse`, the inverse mass matrix, and the others are
-/// computed as [`columns`] does.
+/// computed as [`columns_of_part`] does.
 ///
 /// # Errors
 ///
 /// The first error of `product`.
-pub fn input_columns<T: Scalar, const R: usize, const C: usize>(
+pub fn input_columns<T: Scalar, F, const R: usize, const C: usize>(
     matrix: &mut SMatrix<T, R, C>,
     (inverse, motors): (&SMatrix<T, R, R>, &[MotorColumns]),
-    product: impl FnMut(&Units<T, C>, &mut SVector<T::Columns, R>) -> Result<(), Error>,
+    factor: (&mut F, fn(&mut F) -> &mut Units<T, C>),
+    product: impl FnMut(&F, &mut SVector<T::Columns, R>) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let of_motor = |column| {
         let mut found = motors
@@ -91,7 +107,7 @@ pub fn input_columns<T: Scalar, const R: usize, const C: usize>(
             .filter_map(|motor| Some(motor.rate + motor.repetition(column)? * motor.strides[1]));
         found.next()
     };
-    columns_where(matrix, |column| of_motor(column).is_none(), product)?;
+    columns_where(matrix, |column| of_motor(column).is_none(), factor, product)?;
     for (column, entries) in matrix.data.0.iter_mut().enumerate() {
         if let Some(from) = of_motor(column).and_then(|rate| inverse.data.0.get(rate)) {
             *entries = *from;

@@ -75,15 +75,16 @@ fn derivatives(cx: &EmitContext) -> TokenStream {
         ) -> #returns {
             self.#change(state_, inputs_, accelerations_, |products_| {
                 let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
-                #mstmm::generated::columns(&mut derivatives_.by_coordinates, |units_, changes_| {
-                    direction_.coordinates = *units_;
-                    products_(&direction_, changes_)
-                })?;
-                direction_ = ::core::default::Default::default();
-                #mstmm::generated::columns(&mut derivatives_.by_rates, |units_, changes_| {
-                    direction_.rates = *units_;
-                    products_(&direction_, changes_)
-                })
+                #mstmm::generated::columns_of_part(
+                    &mut derivatives_.by_coordinates,
+                    (&mut direction_, |direction_| &mut direction_.coordinates),
+                    &mut *products_,
+                )?;
+                #mstmm::generated::columns_of_part(
+                    &mut derivatives_.by_rates,
+                    (&mut direction_, |direction_| &mut direction_.rates),
+                    products_,
+                )
             })?;
             self.#times(state_, inputs_, |products_| {
                 #mstmm::generated::columns(&mut derivatives_.by_accelerations, products_)
@@ -109,14 +110,15 @@ fn linearization(cx: &EmitContext) -> TokenStream {
                 let known = quote!((&linearization_.inverse_mass_matrix, &#motors),);
                 (quote!(input_columns), known)
             }
-            _ => (quote!(columns), TokenStream::new()),
+            _ => (quote!(columns_of_part), TokenStream::new()),
         };
         quote! {
-            let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
-            #mstmm::generated::#columns_of(&mut linearization_.#result, #known |units_, changes_| {
-                direction_.#field = *units_;
-                products_(&direction_, changes_)
-            })?;
+            #mstmm::generated::#columns_of(
+                &mut linearization_.#result,
+                #known
+                (&mut direction_, |direction_| &mut direction_.#field),
+                &mut *products_,
+            )?;
         }
     });
     quote! {
@@ -132,6 +134,7 @@ fn linearization(cx: &EmitContext) -> TokenStream {
             })?;
             let accelerations_ = &mut linearization_.accelerations;
             self.#push(state_, inputs_, accelerations_, |products_| {
+                let mut direction_ = <#variation<#columns> as ::core::default::Default>::default();
                 #(#along)*
                 ::core::result::Result::Ok(())
             })?;
