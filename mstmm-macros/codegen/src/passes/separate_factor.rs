@@ -8,7 +8,7 @@ use std::collections::HashSet;
 /// Splits every loop into one that carries values of the state alone and one that carries values of the factor. All loops of
 /// the former kind then run first.
 ///
-/// The matrices of thirty balls take half the time.
+/// A and B of thirty balls take 0.70 of the time.
 pub fn separate_factor(mut function: Function) -> Function {
     let varying = varying(&function);
     let depends = |edge: Edge| varying[edge.node() as usize];
