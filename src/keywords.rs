@@ -1,15 +1,17 @@
-//! The keywords of [`mstmm_chain!`](crate::mstmm_chain): kinds of hinges, settings, fields and units.
+//! The keywords of [`mstmm_chain!`](crate::mstmm_chain): kinds of hinges, settings, fields, units, and words of `answers`.
 //!
-//! Editors show these pages inside a description: hover over `pin`, `mass`, `torque` or `kg`, or go to
+//! Editors show these pages inside a description: hover over `pin`, `mass`, `torque`, `jacobian` or `kg`, or go to
 //! its definition. Generated code mentions each keyword as a type with the span of the text. The types
 //! have no values and no other use.
 //!
 //! The pages are made from the tables of [the reference](crate::mstmm_chain) and from the compiler's
-//! table of units.
+//! table of units. Those of [`answers`] are found by the names in [`terms`](crate::terms), too.
 
 // Keywords are written in lower case.
 #![allow(non_camel_case_types)]
 
+/// Words of the setting `answers`: the functions that a chain can have.
+pub mod answers;
 /// Fields of `body` blocks after the route: the start of a floating base.
 pub mod base;
 /// Fields of body types.
@@ -30,5 +32,5 @@ pub mod units;
 /// Keywords whose meaning does not depend on the block, for generated code.
 #[doc(hidden)]
 pub mod unique {
-    pub use super::{body::*, hinge::*, kinds::*, settings::*, units::*};
+    pub use super::{answers::*, body::*, hinge::*, kinds::*, settings::*, units::*};
 }

@@ -10,29 +10,20 @@
 pub mod frames {}
 
 #[doc = include_str!("terms.md")]
-#[doc(alias("URDF", "xacro", "SDF", "MJCF", "Jacobian", "mass matrix", "crba", "sensor"))]
-#[doc(alias("tree", "branch", "site"))]
+#[doc(alias("URDF", "xacro", "SDF", "MJCF", "sensor", "tree", "branch", "site"))]
+#[doc(alias("aba", "EvalTimeDerivatives", "mj_rnePostConstraint", "cfrc_int", "Data::f"))]
+#[doc(alias("get_reaction_forces_output_port", "Accelerometer", "Gyroscope"))]
+#[doc(alias("MultibodyPlant", "Model", "mjModel", "Data", "Context"))]
+#[doc(alias("CreateDefaultContext", "mj_resetData", "mj_resetDataKeyframe", "neutral"))]
+#[doc(alias("GetPositions", "GetVelocities", "integrate", "mj_step", "Simulator::AdvanceTo"))]
+#[doc(alias("mj_energyPos", "mj_energyVel", "EvalKineticEnergy", "EvalPotentialEnergy"))]
+#[doc(alias("computeMechanicalEnergy", "ten_length", "ten_velocity"))]
 #[doc(alias(
-    "rnea",
-    "aba",
-    "computeABADerivatives",
-    "computeJointTorqueRegressor",
-    "computeMinverse"
+    "AddCouplerConstraint",
+    "JointModelMimic",
+    "CalcBiasCenterOfMassTranslationalAcceleration"
 ))]
-#[doc(alias(
-    "mj_inverse",
-    "mj_fullM",
-    "mj_jac",
-    "mjd_transitionFD",
-    "CalcMassMatrix",
-    "Linearize"
-))]
-#[doc(alias(
-    "computeCentroidalMomentum",
-    "ccrba",
-    "getFrameJacobian",
-    "CalcJacobianSpatialVelocity"
-))]
+#[doc(alias("dccrba", "computeCentroidalMapTimeVariation"))]
 pub mod terms {}
 
 pub mod hinges;

@@ -22,6 +22,18 @@ pub mod trees {
     #![doc = include_str!("tutorial/trees.md")]
 }
 
+pub mod answers {
+    #![doc(alias(
+        "Jacobian",
+        "mass matrix",
+        "gravity compensation",
+        "operational space control",
+        "control engineer",
+        "J-dot v"
+    ))]
+    #![doc = include_str!("tutorial/answers.md")]
+}
+
 pub mod balance {
     #![doc(alias(
         "LQR",

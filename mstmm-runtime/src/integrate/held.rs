@@ -16,7 +16,13 @@ macro_rules! held_methods {
             ///
             /// # Errors
             /// Those of [`step`](Self::step).
-            #[doc(alias("zero-order hold", "ZOH", "sample and hold", "discrete time"))]
+            #[doc(alias(
+                "zero-order hold",
+                "ZeroOrderHold",
+                "ZOH",
+                "sample and hold",
+                "held inputs"
+            ))]
             pub fn step_held(
                 &mut self,
                 chain: &C,

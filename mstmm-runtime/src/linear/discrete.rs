@@ -217,7 +217,7 @@ impl<T: Scalar, const N: usize, const U: usize> DiscreteModel<T, N, U> {
 /// # Errors
 /// Those of [`Chain::check_state`], [`Chain::check_inputs`] and [`Linearize::linearize_into`], and
 /// [`Error::NotFinite`] if an entry of the model is not finite.
-#[doc(alias("mjd_transitionFD", "DiscreteTimeApproximation", "c2d"))]
+#[doc(alias("mjd_transitionFD", "DiscreteTimeApproximation", "c2d", "discretisation"))]
 pub fn discretize<C: Linearize<N, U>, const N: usize, const U: usize>(
     chain: &C,
     state: &C::State,

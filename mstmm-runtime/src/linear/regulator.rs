@@ -43,6 +43,7 @@ pub struct Lqr<T, const X: usize, const U: usize> {
 /// and [`Error::NotStabilizable`] if no gain was found that makes A − B K stable, in any lane. The gain is not found if
 /// a motion that does not decay without control is not changed by the inputs, or has no weight in Q.
 #[doc(alias("dlqr", "DARE", "LinearQuadraticRegulator", "optimal control", "solve_discrete_are"))]
+#[doc(alias("discrete Riccati equation"))]
 #[doc(alias("DiscreteTimeLinearQuadraticRegulator", "DiscreteAlgebraicRiccatiEquation"))]
 pub fn lqr<T: Scalar, const X: usize, const U: usize>(
     a: &SMatrix<T, X, X>,

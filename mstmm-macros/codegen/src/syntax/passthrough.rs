@@ -59,6 +59,8 @@ pub enum KeywordGroup {
     Kinds,
     /// Settings of a chain.
     Settings,
+    /// Words of the setting `answers`.
+    Answers,
     /// Fields of body types.
     Body,
     /// Fields of hinges.
@@ -75,9 +77,10 @@ pub enum KeywordGroup {
 
 impl KeywordGroup {
     /// All groups.
-    pub const ALL: [KeywordGroup; 8] = [
+    pub const ALL: [KeywordGroup; 9] = [
         KeywordGroup::Kinds,
         KeywordGroup::Settings,
+        KeywordGroup::Answers,
         KeywordGroup::Body,
         KeywordGroup::Hinge,
         KeywordGroup::Units,
@@ -91,6 +94,7 @@ impl KeywordGroup {
         match self {
             KeywordGroup::Kinds => "kinds",
             KeywordGroup::Settings => "settings",
+            KeywordGroup::Answers => "answers",
             KeywordGroup::Body => "body",
             KeywordGroup::Hinge => "hinge",
             KeywordGroup::Units => "units",

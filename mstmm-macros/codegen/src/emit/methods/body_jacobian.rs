@@ -44,7 +44,7 @@ fn method(cx: &EmitContext, of: BodyId, procedure: &Procedure) -> TokenStream {
     });
     let body = body(statements, quote!(::core::result::Result::Ok(())));
     quote! {
-        #[doc(alias("computeFrameJacobian", "mj_jacSite", "getFrameJacobian"))]
+        #[doc(alias("computeFrameJacobian", "mj_jac", "mj_jacSite", "getFrameJacobian", "tool Jacobian"))]
         #[doc = #doc]
         ///
         /// Its rows are those of `jacobian()` of a point of the [kinematics](Self::kinematics_into): velocity, then angular

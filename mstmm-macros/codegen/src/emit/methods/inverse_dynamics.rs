@@ -63,7 +63,7 @@ pub(super) fn inverse_dynamics(cx: &EmitContext) -> MethodTemplate {
         (quote!(inverse_dynamics_into), of_accelerations(cx), quote!(efforts_)),
         [
             quote! {
-                #[doc(alias("rnea", "CalcInverseDynamics", "mj_inverse", "qfrc_inverse", "computed torque"))]
+                #[doc(alias("inverse dynamics", "rnea", "CalcInverseDynamics", "mj_inverse", "qfrc_inverse", "computed torque"))]
                 /// Computes the efforts that the drives must supply for given accelerations `v̇` (inverse
                 /// dynamics), in the order of `v` of the state, in N m and N.
                 ///
@@ -87,7 +87,7 @@ pub(super) fn gravity_efforts(cx: &EmitContext) -> MethodTemplate {
         (quote!(gravity_efforts_into), of_state_and_inputs(cx), quote!(efforts_)),
         [
             quote! {
-                #[doc(alias("computeGeneralizedGravity", "CalcGravityGeneralizedForces", "gravity compensation"))]
+                #[doc(alias("computeGeneralizedGravity", "CalcGravityGeneralizedForces", "gravity compensation", "computeStaticTorque"))]
                 /// Computes the efforts that balance gravity alone, for the chain at rest, in the order of `v`
                 /// of the state, in N m and N. They are the part of the bias efforts due to gravity.
                 #(#[doc = #near_one])*
@@ -107,7 +107,7 @@ pub(super) fn passive_efforts(cx: &EmitContext) -> MethodTemplate {
                 #[doc(alias("qfrc_passive"))]
                 /// Computes the efforts of passive elements, in the order of `v` of the state, in N m and N:
                 /// springs, dampers, friction and stops of hinges, and springs between bodies. They act
-                /// beside the efforts of the drives, with the same sign.
+                /// in addition to the efforts of the drives, with the same sign.
                 #(#[doc = #near_one])*
             },
             not_finite("efforts"),
@@ -198,7 +198,7 @@ pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
         (quote!(bias_efforts_into), of_state_and_inputs(cx), quote!(efforts_)),
         [
             quote! {
-                #[doc(alias("inverse dynamics", "rnea", "nle", "nonLinearEffects", "qfrc_bias", "CalcBiasTerm"))]
+                #[doc(alias("nle", "nonLinearEffects", "qfrc_bias", "mj_rne", "CalcBiasTerm", "Coriolis"))]
                 /// Computes the bias efforts: the efforts of all rates at which no rate changes (inverse
                 /// dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
                 ///

@@ -108,9 +108,14 @@ fn inertia(cx: &EmitContext) -> Option<TokenStream> {
             )
         }
 
-        #[doc(alias("effective inertia", "effective mass", "apparent inertia", "Lambda", "OSIM"))]
+        #[doc(alias("operational space inertia", "effective mass", "task space inertia", "Lambda", "OSIM"))]
         /// Returns the operational-space inertia `(J M⁻¹ Jᵀ)⁻¹` of a point of the kinematics in this state: the
         /// force and the moment at the point for a unit acceleration of the point, in kg, kg m and kg m².
+        ///
+        /// It does not exist if the point cannot move in every direction, as that of an arm with fewer joints than rows
+        /// of the Jacobian. The inertia against a force only is the inverse of the block of
+        /// [`inverse_operational_space_inertia`](Self::inverse_operational_space_inertia) in the rows and columns of the
+        /// velocity, if the point can move in all their directions.
         ///
         /// # Errors
         ///

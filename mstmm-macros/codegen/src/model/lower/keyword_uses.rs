@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::hinge::{KINDS, fields, start_fields};
 use super::{body, load, unit};
-use crate::model::{Dimension, HingeKind};
+use crate::model::{ANSWER_WORDS, Dimension, HingeKind};
 use crate::syntax::{
     BlockKeyword, BlockSyntax, ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, FieldSyntax,
     KeywordGroup, KeywordUses, ListSyntax, OrientationSyntax, RouteItemSyntax, RouteSyntax,
@@ -49,6 +49,7 @@ pub(crate) fn keywords(group: KeywordGroup) -> Vec<String> {
     let words: Vec<&str> = match group {
         KeywordGroup::Kinds => KINDS.iter().map(|kind| kind.word).collect(),
         KeywordGroup::Settings => SETTINGS.to_vec(),
+        KeywordGroup::Answers => ANSWER_WORDS.iter().map(|(word, _)| *word).collect(),
         KeywordGroup::Body => body::FIELDS.to_vec(),
         KeywordGroup::Hinge => hinge_fields(),
         KeywordGroup::Base => start_fields(HingeKind::Floating.spec()),
@@ -113,8 +114,26 @@ impl KeywordSearch<'_> {
             let start = (group == KeywordGroup::Body).then_some(KeywordGroup::Base);
             let groups = [Some(group), start].into_iter().flatten();
             self.words.extend(groups.map(|group| (group, field.name.clone())));
-            self.field_value(field);
+            if group == KeywordGroup::Settings && field.name == "answers" {
+                self.answers(field);
+            } else {
+                self.field_value(field);
+            }
         }
+    }
+
+    /// The words of `answers`, which are no values.
+    fn answers(&mut self, field: &FieldSyntax) {
+        let entries = match &field.value {
+            Some(ValueSyntax::Number(entry)) => std::slice::from_ref(entry),
+            Some(ValueSyntax::Vector(list)) => &list.entries,
+            _ => return,
+        };
+        let word = |entry: &ExprSyntax| match &entry.kind {
+            ExprKind::Name(word) => Some((KeywordGroup::Answers, word.clone())),
+            _ => None,
+        };
+        self.words.extend(entries.iter().filter_map(word));
     }
 
     fn field_value(&mut self, field: &FieldSyntax) {

@@ -41,7 +41,7 @@ const PREFIXES: &[(&str, &str, &str)] = &[
     ("M", "mega", "10⁶"),
 ];
 
-fn root() -> PathBuf {
+pub(super) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
@@ -49,14 +49,14 @@ fn root() -> PathBuf {
 type Docs = BTreeMap<String, Vec<String>>;
 
 /// The tables of the reference: the cells of the rows below each head.
-struct Reference(String);
+pub(super) struct Reference(pub(super) String);
 
 impl Reference {
     /// Returns the rows of all tables that begin with `head`.
-    fn rows(&self, head: &str) -> Vec<Vec<&str>> {
+    pub(super) fn rows(&self, head: &str) -> Vec<Vec<&str>> {
         let mut tables = self.0.split(head);
         let before = tables.next().is_some_and(|text| text.ends_with('\n'));
-        assert!(before, "`src/language.md` has no table `{head}`");
+        assert!(before, "there is no table `{head}`");
         let lines = tables.flat_map(|table| {
             table.lines().skip(2).take_while(|line| line.starts_with('|')).collect::<Vec<_>>()
         });
@@ -93,7 +93,7 @@ fn unit(translational: &str, rotational: &str) -> String {
 }
 
 /// Links of the reference, as they are outside of it.
-fn linked(text: &str) -> String {
+pub(super) fn linked(text: &str) -> String {
     text.replace("[see below](#", "[see the reference](#").replace("](#", "](crate::mstmm_chain#")
 }
 
@@ -222,6 +222,8 @@ fn docs(group: KeywordGroup) -> Docs {
             fields(&rows(&format!("| field of a `{block}` | unit | default |")), more)
         }
         KeywordGroup::Units => units(),
+        // `answer_pages` makes their pages.
+        KeywordGroup::Answers => Docs::new(),
     }
 }
 
@@ -280,11 +282,15 @@ fn groups_with_unique_names_have_no_common_keyword() {
 #[test]
 fn every_keyword_is_documented_as_in_the_reference() {
     for group in KeywordGroup::ALL {
-        let docs = docs(group);
-        let documented: Vec<String> = docs.keys().cloned().collect();
+        let (documented, expected) = match group {
+            KeywordGroup::Answers => super::answer_pages::module(),
+            _ => {
+                let docs = docs(group);
+                (docs.keys().cloned().collect(), module(group, &docs))
+            }
+        };
         assert_eq!(documented, keywords_of(group), "tables of `src/language.md`, {group:?}");
         let path = root().join(format!("src/keywords/{}.rs", group.module()));
-        let expected = module(group, &docs);
         if std::env::var_os("MSTMM_BLESS").is_some() {
             fs::write(&path, expected).expect("a writable file");
             continue;

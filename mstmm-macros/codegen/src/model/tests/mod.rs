@@ -3,6 +3,7 @@
 //! `tests/ui` has one case with the whole text for a message, and variants here have key words of it;
 //! `tests/messages.rs` holds both to that.
 
+mod answer_pages;
 mod any_tokens;
 mod branches_and_loops;
 mod each_error_once;
