@@ -89,13 +89,13 @@ fn study() -> Result<Plot, mstmm::Error> {
     }
     page.write();
 
-    // The picture has the largest force of each bearing within 25 ms.
+    // The picture has the largest force of each bearing within 0.1 s, which is more than a revolution after 0.42 s.
     let mut curves = [Vec::new(), Vec::new()];
     let mut largest = (0.0, 0.0);
-    for window in 0..100 {
+    for window in 0..25 {
         let mut within = [0.0, 0.0];
-        for step in 0..200 {
-            let (forces, angle) = loads(0.025 * window as f64 + 125e-6 * step as f64)?;
+        for step in 0..800 {
+            let (forces, angle) = loads(0.1 * window as f64 + 125e-6 * step as f64)?;
             for (force, within) in forces.into_iter().zip(&mut within) {
                 *within = force.max(*within);
                 if force > largest.0 {
@@ -103,7 +103,7 @@ fn study() -> Result<Plot, mstmm::Error> {
                 }
             }
         }
-        let time = 0.025 * (window as f64 + 0.5);
+        let time = 0.1 * (window as f64 + 0.5);
         curves.iter_mut().zip(within).for_each(|(curve, force)| curve.push([time, force]));
     }
     println!("largest radial force {:.1} N", largest.0);
@@ -127,7 +127,7 @@ fn study() -> Result<Plot, mstmm::Error> {
     let [plus, minus] = curves;
     Ok(Plot::new("Radial forces of the bearings of a rotor", ["time in s", "largest force in N"])
         .curve("bearing at +x", plus)
-        .curve("bearing at -x", minus))
+        .curve("bearing at −x", minus))
 }
 
 fn main() -> Result<(), mstmm::Error> {

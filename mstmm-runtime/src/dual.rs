@@ -86,7 +86,7 @@ use crate::Scalar;
 ///
 /// [`copysign`](Scalar::copysign) and [`abs`](Scalar::abs) have the derivative of the side that the sign bit chooses,
 /// also at zero: `abs` has the slope 1 at `+0` and −1 at `−0`. Comparisons and [`select`](Scalar::select) look at
-/// values only, so a result has the derivative of the branch that computes its value. Friction, stops and limits in
+/// values only, so a result has the derivative of the branch that computes its value. Friction and limits in
 /// hinges are functions of this kind. The derivative of a square root at zero, of an angle at the origin and of a
 /// reciprocal at zero is not finite.
 ///

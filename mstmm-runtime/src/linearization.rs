@@ -5,11 +5,13 @@ use crate::generated::matrix;
 use nalgebra::{SMatrix, SVector};
 
 /// Derivatives of inverse dynamics `τ = ID(q, v, v̇)` of a chain with `N` rates, one row and column per rate.
+///
+/// Units are SI: N m and N for τ, divided by rad and m, rad/s and m/s, or rad/s² and m/s².
 #[derive(Clone, Debug, PartialEq)]
 pub struct InverseDynamicsDerivatives<T, const N: usize> {
     /// With respect to the coordinates, along the rates: column `k` for the small displacement `dq = N(q) δ` with
     /// `δ` along rate `k`.
-    #[doc(alias("dtau_dq", "ddq_dq"))]
+    #[doc(alias("dtau_dq"))]
     pub by_coordinates: SMatrix<T, N, N>,
     /// With respect to the rates `v`.
     #[doc(alias("dtau_dv"))]
@@ -32,7 +34,8 @@ impl<T: Scalar, const N: usize> Default for InverseDynamicsDerivatives<T, N> {
 /// The accelerations of a chain in a state and their derivatives: the linearised equations of motion.
 ///
 /// `N` is the number of rates, `N2 = 2 N`, `U` the number of entries of all inputs and `P` the number of parameters,
-/// in the order of the fields of the chain's inputs and parameters.
+/// in the order of the fields of the chain's inputs and parameters. Units are SI: rad/s² and m/s² for `v̇`, divided by
+/// those of the quantity.
 ///
 /// Coordinates change along the rates: `dq = N(q) δ` with one entry of `δ` per rate. For a ball and for the rotation of
 /// a floating or an elastic hinge `δ` is a small rotation vector in outboard axes. The derivatives with respect to

@@ -15,7 +15,7 @@ pub enum Answer {
     InverseDynamics,
     /// Efforts that balance gravity at rest.
     GravityEfforts,
-    /// Efforts of springs, dampers, friction and stops.
+    /// Efforts of springs, dampers, friction and limits.
     PassiveEfforts,
     /// The mass matrix.
     MassMatrix,

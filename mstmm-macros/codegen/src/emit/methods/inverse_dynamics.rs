@@ -13,7 +13,7 @@ fn opened(cx: &EmitContext) -> Option<TokenStream> {
         quote! {
             ///
             /// The closing hinge is open: the efforts are those of the open chain. The effort of each rate of
-            /// the closing hinge balances only its own springs, dampers, friction, stops and rotors.
+            /// the closing hinge balances only its own springs, dampers, friction, limits and rotors.
         }
     })
 }
@@ -67,7 +67,7 @@ pub(super) fn inverse_dynamics(cx: &EmitContext) -> MethodTemplate {
                 /// Computes the efforts that the drives must supply for given accelerations `v̇` (inverse
                 /// dynamics), in the order of `v` of the state, in N m and N.
                 ///
-                /// Gravity, Coriolis and centrifugal terms, springs, dampers, friction, stops, rotors, loads,
+                /// Gravity, Coriolis and centrifugal terms, springs, dampers, friction, limits, rotors, loads,
                 /// moving ends and prescribed motions are taken into account: as efforts of the motors they
                 /// give these accelerations. The efforts of motors in the inputs and constant efforts are not
                 /// read. What acts in a hinge altogether, with its passive elements, is the wrench in the
@@ -106,7 +106,7 @@ pub(super) fn passive_efforts(cx: &EmitContext) -> MethodTemplate {
             quote! {
                 #[doc(alias("qfrc_passive"))]
                 /// Computes the efforts of passive elements, in the order of `v` of the state, in N m and N:
-                /// springs, dampers, friction and stops of hinges, and springs between bodies. They act
+                /// springs, dampers, friction and limits of hinges, and springs between bodies. They act
                 /// in addition to the efforts of the drives, with the same sign.
                 #(#[doc = #near_one])*
             },
@@ -202,7 +202,7 @@ pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
                 /// Computes the bias efforts: the efforts of all rates at which no rate changes (inverse
                 /// dynamics at `v̇ = 0`), in the order of `v` of the state, in N m and N.
                 ///
-                /// They balance gravity, Coriolis and centrifugal terms, springs, dampers, friction, stops,
+                /// They balance gravity, Coriolis and centrifugal terms, springs, dampers, friction, limits,
                 /// loads, moving ends and prescribed motions. The efforts of motors are not part of them:
                 /// `M v̇ + bias = τ`, with the mass matrix `M`, rotors included, and the efforts `τ` of all
                 /// motors, inputs and constants.

@@ -24,7 +24,7 @@ fn docs_of_regressor(cx: &EmitContext) -> [TokenStream; 2] {
             #[doc(alias("computeJointTorqueRegressor", "identification", "inertial parameters", "inverse dynamics regressor"))]
             /// Computes the regressor `Y`, the matrix that maps the dynamic parameters `π` to the efforts of inverse
             /// dynamics: `Y π` are the efforts for given accelerations, less those against loads, springs between
-            /// bodies and stops.
+            /// bodies and limits.
             ///
             /// It has one row for each rate, in the order of `v` of the state, and one column for each dynamic
             /// parameter. It does not depend on the values of these parameters.
