@@ -3,7 +3,7 @@
 
 use mstmm::Error;
 use mstmm::linear::{DiscreteModel, discretize};
-use mstmm::nalgebra::{SMatrix, SVector};
+use mstmm::nalgebra::{SMatrix, SVector, Vector3};
 use mstmm::prelude::*;
 
 mstmm_chain! {
@@ -47,8 +47,12 @@ pub struct ArmAnswers {
     pub vector: SVector<f64, 5>,
     /// A matrix with one row and column for each rate.
     pub matrix: SMatrix<f64, 5, 5>,
-    /// The Jacobian of a point.
-    pub jacobian: SMatrix<f64, 6, 5>,
+    /// The Jacobian of a point, by the kinematics and without them.
+    pub jacobians: [SMatrix<f64, 6, 5>; 2],
+    /// The inertia in operational space.
+    pub operational_space: SMatrix<f64, 6, 6>,
+    /// The momentum matrix.
+    pub momentum: SMatrix<f64, 6, 5>,
     /// The kinematics.
     pub kinematics: ArmKinematics<f64>,
     /// The regressor.
@@ -79,9 +83,12 @@ pub fn arm_answers(
     arm.mass_matrix_times_into(state, inputs, &at.given, &mut at.vector)?;
     arm.inverse_mass_matrix_times_into(state, inputs, &at.given, &mut at.vector)?;
     arm.kinematics_into(state, inputs, &mut at.kinematics)?;
-    at.jacobian = at.kinematics.tool().com().jacobian();
+    let point = at.kinematics.tool().com();
+    at.jacobians[0] = point.jacobian();
+    at.operational_space = arm.inverse_operational_space_inertia(state, inputs, &point)?;
+    arm.tool_jacobian_into(state, inputs, &Vector3::new(0.1, 0.0, 0.1), &mut at.jacobians[1])?;
     let momentum = arm.momentum(state, inputs)?;
-    arm.momentum_matrix_into(state, inputs, &mut at.jacobian)?;
+    arm.momentum_matrix_into(state, inputs, &mut at.momentum)?;
     arm.regressor_into(state, &at.given, inputs, &mut at.regressor)?;
     arm.inverse_dynamics_derivatives_into(state, &at.given, inputs, &mut at.derivatives)?;
     arm.linearize_into(state, inputs, &mut at.linearization)?;
