@@ -1,4 +1,4 @@
-//! A robot arm follows a motion by computed torque at 1 kHz, and weighs the payload that it carries.
+//! A robot arm follows a motion by computed torque at 1 kHz, and identifies the payload that it carries.
 //!
 //! `cargo run --release --example computed_torque`; with `-- --page computed_torque.html` it also writes a page that shows the motion.
 

@@ -102,7 +102,7 @@ pub enum inverse_dynamics {}
 /// | `jacobian_transpose_times(force, moment)` | Jᵀ times a force in N at the point and a moment in N m, inertial axes: the efforts of the same power |
 /// | `acceleration(&accelerations)`, `angular_acceleration(&accelerations)` | J v̇ + J̇ v in m/s² and rad/s² |
 ///
-/// The rows of angular velocity alone are `jacobian().fixed_rows::<3>(3)`. The chain has
+/// The rows of angular velocity are `jacobian().fixed_rows::<3>(3)`.
 ///
 /// | method of the chain | result |
 /// |---|---|

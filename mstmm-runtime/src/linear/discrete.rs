@@ -31,7 +31,10 @@ pub trait Linearize<const N: usize, const U: usize>: Chain {
     ) -> Result<(), Error>;
 }
 
-/// The accelerations of a chain with `N` rates and `U` inputs, and their derivatives.
+/// The accelerations of a chain with `N` rates and `U` inputs, and their derivatives, as [`discretize`] needs them.
+///
+/// `linearize` of a generated chain returns [`mstmm::Linearization`](crate::Linearization) instead, which also has M⁻¹ and
+/// the derivatives with respect to parameters.
 ///
 /// The linear model in continuous time is δ̇ = `tangent_rate` δ + dv, dv̇ = `by_coordinates` δ + `by_rates` dv +
 /// `by_inputs` u. δ is a small motion of the coordinates along the rates, dq = N(q) δ with the N(q) of q̇ = N(q) v. For a

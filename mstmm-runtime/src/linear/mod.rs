@@ -9,8 +9,8 @@
 //! | [`discretize`] | the discrete model x⁺ = A x + B u of a step with held inputs |
 //! | [`lqr`] | the gain of the linear-quadratic regulator of a discrete model |
 //!
-//! The number of operations depends on the sizes only, except for [`lqr`], which ends when it has converged and has a
-//! bound. N is the number of rates of a chain, U is the number of its inputs, X = 2 N is the number of its states.
+//! The number of operations depends on the sizes only, except for [`lqr`]: it ends when it has converged, and its number
+//! of operations has a bound. N is the number of rates of a chain, U is the number of its inputs, X = 2 N is the number of its states.
 //! Matrices are those of nalgebra. Errors are reported instead of results that are not finite.
 //!
 //! # Example

@@ -256,7 +256,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return self._compute(2, x, inputs, None, threads, errors)
 
     def passive_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the efforts of springs, dampers, friction and stops."""
+        """Returns the efforts of springs, dampers, friction and limits."""
         return self._compute(3, x, inputs, None, threads, errors)
 
     def mass_matrix(self, x, inputs=None, *, threads=0, errors="raise"):

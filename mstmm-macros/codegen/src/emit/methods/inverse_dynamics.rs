@@ -88,7 +88,7 @@ pub(super) fn gravity_efforts(cx: &EmitContext) -> MethodTemplate {
         [
             quote! {
                 #[doc(alias("computeGeneralizedGravity", "CalcGravityGeneralizedForces", "gravity compensation", "computeStaticTorque"))]
-                /// Computes the efforts that balance gravity alone, for the chain at rest, in the order of `v`
+                /// Computes the efforts that balance gravity only, for the chain at rest, in the order of `v`
                 /// of the state, in N m and N. They are the part of the bias efforts due to gravity.
                 #(#[doc = #near_one])*
             },
