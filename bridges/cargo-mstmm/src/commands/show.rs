@@ -85,21 +85,22 @@ fn unknown(chain: &Ident, known: &[&str]) -> Failure {
 pub fn counts(chains: &[CheckedChain], function: Option<&str>) -> Result<String, Failure> {
     let tables = chains.iter().map(|CheckedChain { chain, findings, .. }| {
         let compiled = compile(chain, findings, &Layout::of(chain));
-        let all: Vec<_> = std::iter::once(&compiled.setup).chain(&compiled.functions).collect();
-        let wanted = all.iter().filter(|of| function.is_none_or(|name| name == of.name()));
+        let functions = std::iter::once(&compiled.setup).chain(&compiled.functions);
+        let functions = functions.map(|of| (of.name().to_owned(), of.procedure.cost()));
+        let of_bodies = compiled.jacobians.iter().map(|(body, procedure)| {
+            (format!("{}_jacobian", chain.bodies[*body].name), procedure.cost())
+        });
+        let all: Vec<(String, Cost)> = functions.chain(of_bodies).collect();
+        let wanted = all.iter().filter(|(of, _)| function.is_none_or(|name| name == of));
         let rows: Vec<String> = wanted
-            .map(|of| {
-                let cost = of.procedure.cost();
+            .map(|(of, cost)| {
                 let Cost { mul, add, recip, sqrt, trig } = cost;
                 let total = cost.arithmetic();
-                format!(
-                    "{mul:>6} {add:>6} {recip:>6} {sqrt:>5} {trig:>7} {total:>7}   {}\n",
-                    of.name()
-                )
+                format!("{mul:>6} {add:>6} {recip:>6} {sqrt:>5} {trig:>7} {total:>7}   {of}\n")
             })
             .collect();
         if rows.is_empty() {
-            let known: Vec<&str> = all.iter().map(|of| of.name()).collect();
+            let known: Vec<&str> = all.iter().map(|(of, _)| &**of).collect();
             return Err(unknown(&chain.name, &known));
         }
         let head = "   mul    add  recip  sqrt  sincos   total   function";

@@ -15,14 +15,19 @@ pub(super) fn emit(cx: &EmitContext) -> TokenStream {
     cx.compiled.jacobians.iter().map(|(body, procedure)| method(cx, *body, procedure)).collect()
 }
 
+/// Returns the name of the method of a body that writes to the caller's matrix.
+pub(super) fn name(cx: &EmitContext, of: BodyId) -> String {
+    format!("{}_jacobian_into", cx.chain.bodies[of].name)
+}
+
 fn method(cx: &EmitContext, of: BodyId, procedure: &Procedure) -> TokenStream {
     let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
+    let into = format_ident!("{}", name(cx, of));
     let (of, dimension) = (&cx.chain.bodies[of], cx.chain.dimension);
     let [places, rows, columns] =
         [dimension.translations().len(), dimension.axes().len(), cx.rates().total]
             .map(usize_literal);
     let name = format_ident!("{}_jacobian", of.name);
-    let into = format_ident!("{name}_into");
     let by_value = format!(
         " Returns the Jacobian of a point of body `{}`; see [`{into}`](Self::{into}).",
         of.path

@@ -18,12 +18,10 @@ fn opened(cx: &EmitContext) -> Option<TokenStream> {
     })
 }
 
-/// Returns the docs of the errors of a method that solves no equations.
-fn not_finite(argument: &str) -> TokenStream {
-    let doc = format!(
-        " `Error::NotFinite` if the state, the inputs or the given vector are not finite. `{argument}` is then \
-         unchanged."
-    );
+/// Returns the docs of the errors of a method that solves no equations, with its arguments and its result.
+fn not_finite(arguments: &str, result: &str) -> TokenStream {
+    let doc =
+        format!(" `Error::NotFinite` if {arguments} are not finite. `{result}` is then unchanged.");
     quote! {
         ///
         /// # Errors
@@ -70,12 +68,11 @@ pub(super) fn inverse_dynamics(cx: &EmitContext) -> MethodTemplate {
                 /// Gravity, Coriolis and centrifugal terms, springs, dampers, friction, limits, rotors, loads,
                 /// moving ends and prescribed motions are taken into account: as efforts of the motors they
                 /// give these accelerations. The efforts of motors in the inputs and constant efforts are not
-                /// read. What acts in a hinge altogether, with its passive elements, is the wrench in the
-                /// workspace.
+                /// read. The wrench in a workspace is all that acts in a hinge, with its passive elements.
                 #(#[doc = #near_one])*
                 #opened
             },
-            not_finite("efforts"),
+            not_finite("the state, the inputs or the accelerations", "efforts"),
         ],
     )
 }
@@ -92,7 +89,7 @@ pub(super) fn gravity_efforts(cx: &EmitContext) -> MethodTemplate {
                 /// of the state, in N m and N. They are the part of the bias efforts due to gravity.
                 #(#[doc = #near_one])*
             },
-            not_finite("efforts"),
+            not_finite("the state or the inputs", "efforts"),
         ],
     )
 }
@@ -110,7 +107,7 @@ pub(super) fn passive_efforts(cx: &EmitContext) -> MethodTemplate {
                 /// in addition to the efforts of the drives, with the same sign.
                 #(#[doc = #near_one])*
             },
-            not_finite("efforts"),
+            not_finite("the state or the inputs", "efforts"),
         ],
     )
 }
@@ -161,7 +158,7 @@ pub(super) fn mass_matrix_times(cx: &EmitContext) -> MethodTemplate {
                 /// motions matter.
                 #(#[doc = #near_one])*
             },
-            not_finite("product"),
+            not_finite("the state, the inputs or the vector", "product"),
         ],
     )
 }
@@ -209,12 +206,7 @@ pub(super) fn bias_efforts(cx: &EmitContext) -> MethodTemplate {
                 #(#[doc = #near_one])*
                 #opened
             },
-            quote! {
-                ///
-                /// # Errors
-                ///
-                /// `Error::NotFinite` if the state or the inputs are not finite. `efforts` is then unchanged.
-            },
+            not_finite("the state or the inputs", "efforts"),
         ],
     )
 }

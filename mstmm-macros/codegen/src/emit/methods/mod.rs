@@ -22,7 +22,7 @@ use super::procedure::body;
 use super::{EmitContext, chain_impl, docs};
 use crate::compile::CompiledFunction;
 use crate::model::Answer;
-use crate::program::OutputId;
+use crate::program::{OutputId, Procedure};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -94,14 +94,20 @@ fn is_part(answer: Answer) -> bool {
 
 /// Returns a table of the operations of all functions that the description asks for, for the docs of the chain.
 pub fn operations(cx: &EmitContext) -> Vec<String> {
+    let row = |name: String, procedure: &Procedure| {
+        let cost = procedure.cost();
+        format!(" | [`{name}`](Self::{name}) | {} | {cost} |", cost.arithmetic())
+    };
     let requested = cx.compiled.functions.iter().filter_map(|function| {
         let is_public = |answer: &Answer| answer.is_requested() && !is_part(*answer);
         let answer = function.answer.filter(is_public)?;
         let name = template(cx, answer).name.into_iter().last()?.to_string();
-        let cost = function.procedure.cost();
-        Some(format!(" | [`{name}`](Self::{name}) | {} | {cost} |", cost.arithmetic()))
+        Some(row(name, &function.procedure))
     });
-    let rows: Vec<String> = requested.collect();
+    let of_bodies = cx.compiled.jacobians.iter();
+    let of_bodies =
+        of_bodies.map(|(body, procedure)| row(body_jacobian::name(cx, *body), procedure));
+    let rows: Vec<String> = requested.chain(of_bodies).collect();
     if rows.is_empty() {
         return rows;
     }
