@@ -159,7 +159,10 @@ pub fn accessor(cx: &EmitContext, id: BodyId, run: usize) -> TokenStream {
     };
     match stored.repetitions {
         None => {
-            let doc = format!(" Returns the kinematics of body `{}`: {what}.", body.path);
+            let doc = format!(
+                " Returns the kinematics of body `{}`: {what}, and any other point by `at`.",
+                body.path
+            );
             quote! {
                 #[doc = #doc]
                 #[inline]
@@ -171,7 +174,7 @@ pub fn accessor(cx: &EmitContext, id: BodyId, run: usize) -> TokenStream {
         }
         Some(count) => {
             let doc = format!(
-                " Returns the kinematics of body `{}` in repetition `index` of {count}: {what}.",
+                " Returns the kinematics of body `{}` in repetition `index` of {count}: {what}, and any other point by `at`.",
                 body.path
             );
             quote! {

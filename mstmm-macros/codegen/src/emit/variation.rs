@@ -22,7 +22,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let inputs = usize_literal(layouts::inputs(cx.chain, cx.layout).total);
     let parameters = usize_literal(layouts::parameters(cx.chain).total);
     let doc = format!(
-        " A small change of all that the accelerations of [`{chain}`] depend on, or a gradient with respect to it."
+        " A small change of all that the accelerations of [`{chain}`] depend on, in SI units, or a gradient with respect to it."
     );
     let (of_inputs, of_parameters) = (input_entries(cx), parameter_entries(cx));
     quote! {
@@ -30,7 +30,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
-            /// Along the coordinates: the small displacement `δ` along the rates, `dq = N(q) δ`, in the order of `v`.
+            /// Along the coordinates: the small displacement `δ` along the rates, in the order of `v`: `dq = N(q) δ` with
+            /// the `N(q)` of `q̇ = N(q) v`.
             #visibility coordinates: #mstmm::nalgebra::SVector<T, #rates>,
             /// Along the rates `v`.
             #visibility rates: #mstmm::nalgebra::SVector<T, #rates>,

@@ -21,8 +21,9 @@ pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
             /// Computes the exact derivatives of inverse dynamics with respect to coordinates, rates and
             /// accelerations, at given accelerations `v̇`.
             ///
-            /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a limit the
-            /// derivative is that of one side.
+            /// Coordinates change along the rates: `dq = N(q) δ` with the `N(q)` of `q̇ = N(q) v`. For a pin
+            /// `δ` is the change of its angle, for a ball a small rotation vector in outboard axes. At a kink
+            /// of a friction or a limit the derivative is that of one side.
             #(#[doc = #near_one])*
         },
         quote! {
@@ -66,8 +67,9 @@ pub(super) fn docs_of_linearization(cx: &EmitContext) -> [TokenStream; 2] {
             /// Computes the accelerations and their exact derivatives with respect to coordinates, rates, inputs
             /// and parameters. `a()` and `b()` of the result are the matrices of `ẋ = A x + B u`.
             ///
-            /// Coordinates change along the rates: `dq = N(q) δ`. At a kink of a friction or a limit the
-            /// derivative is that of one side. Operations of a short chain below do not include the products with
+            /// Coordinates change along the rates: `dq = N(q) δ` with the `N(q)` of `q̇ = N(q) v`. For a pin
+            /// `δ` is the change of its angle, for a ball a small rotation vector in outboard axes. At a kink
+            /// of a friction or a limit the derivative is that of one side. Operations of a short chain below do not include the products with
             /// `−M⁻¹`, which are loops.
             #(#[doc = #near_one])*
         },

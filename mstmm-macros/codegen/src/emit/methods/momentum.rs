@@ -56,8 +56,9 @@ pub(super) fn momentum_matrix(cx: &EmitContext) -> MethodTemplate {
             quote! {
                 #[doc(alias("centroidal momentum matrix", "CMM", "computeCentroidalMap", "ccrba", "jacobianCenterOfMass", "mj_jacSubtreeCom"))]
                 /// Computes the matrix that maps the rates `v` to linear momentum and angular momentum about the centre
-                /// of mass, in inertial axes. It has one row for each direction, linear then angular, and one column for
-                /// each rate, in the order of `v` of the state. Moving ends and prescribed motions add momentum that is
+                /// of mass, in kg m/s and kg m²/s, in inertial axes. It has one row for each direction, linear then
+                /// angular, and one column for each rate, in the order of `v` of the state. The linear rows divided by
+                /// the mass are the Jacobian of the centre of mass. Moving ends and prescribed motions add momentum that is
                 /// not part of it.
                 #(#[doc = #near_one])*
             },

@@ -24,7 +24,8 @@ pub(super) fn push(cx: &EmitContext) -> MethodTemplate {
                 /// Computes the accelerations `v̇` and their derivative along a direction, the product of the
                 /// Jacobian of forward dynamics with a vector. Both are exact, and need O(n) operations.
                 ///
-                /// The coordinates change along the rates: `dq = N(q) δ`, with `direction.coordinates` = `δ`.
+                /// The coordinates change along the rates: `dq = N(q) δ` with the `N(q)` of `q̇ = N(q) v`, and
+                /// `direction.coordinates` is `δ`.
                 #(#[doc = #near_one])*
             },
             quote! {
@@ -64,7 +65,8 @@ pub(super) fn pull(cx: &EmitContext) -> MethodTemplate {
                 /// the transposed Jacobian of forward dynamics with the weights `y` in `vector`. Both are exact,
                 /// and need O(n) operations, whatever the number of inputs and parameters.
                 ///
-                /// `gradient.coordinates` is along the rates: `dq = N(q) δ`.
+                /// `gradient.coordinates` is with respect to `δ` along the rates: `dq = N(q) δ` with the `N(q)` of
+                /// `q̇ = N(q) v`.
                 #(#[doc = #near_one])*
             },
             quote! {

@@ -105,8 +105,8 @@ pub(super) fn dynamic_parameters(cx: &EmitContext) -> MethodTemplate {
         docs: [
             quote! {
                 #[doc(alias("toDynamicParameters", "inertial parameters"))]
-                /// Returns the dynamic parameters `π` of the chain, to which the
-                /// [regressor](Self::regressor_into) belongs, in the order of its columns.
+                /// Returns the dynamic parameters `π` of the chain, in the order of the columns of the
+                /// [regressor](Self::regressor_into).
             },
             TokenStream::new(),
         ],
