@@ -66,6 +66,24 @@ fn times() -> Vec<String> {
     rows.into_iter().map(row).collect()
 }
 
+/// The rows of the table of answers of the Panda, from the benchmarks' table.
+fn answers() -> Vec<String> {
+    let benches = read("benches/README.md");
+    let row = |answer| {
+        let start = format!("| {answer} |");
+        let row = benches.lines().find(|line| line.starts_with(&start)).expect("a row");
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let ours = cells[2].split(' ').next().expect("a time");
+        format!("| {answer} | {ours} | {} | {} |", cells[3], cells[4])
+    };
+    let linear = ["A and B, with accelerations", "yᵀJ, with accelerations"];
+    ["inverse dynamics", "mass matrix", "Jacobian of the tip"]
+        .into_iter()
+        .chain(linear)
+        .map(row)
+        .collect()
+}
+
 /// The instructions of a case of the firmware with the Panda, from its table. The stack is at most as deep as given.
 fn instructions(case: &str, deepest: u32) -> String {
     let figures = read("examples/firmware/FIGURES.md");
@@ -115,7 +133,7 @@ fn prose(readme: &str) -> String {
 #[test]
 fn every_figure_has_a_source() {
     let mut text = prose(&read("README.md"));
-    for figure in [operations(), times(), firmware(), stated()].concat() {
+    for figure in [operations(), times(), answers(), firmware(), stated()].concat() {
         let without = text.replacen(&figure, "", 1);
         assert!(without != text, "the README should say\n{figure}");
         text = without;
