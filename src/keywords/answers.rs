@@ -106,7 +106,7 @@ pub enum inverse_dynamics {}
 ///
 /// | method of the chain | result |
 /// |---|---|
-/// | `foot_jacobian(&state, &inputs, &place)`, for each body `foot` at a free end | J of the point at `place`, a vector in m from the input of the body in the body frame, such as a tool. It is computed without the kinematics of other bodies: for the Panda it costs a third of `kinematics` with `jacobian()`. Not with `repeat`, not for closed chains |
+/// | `foot_jacobian(&state, &inputs, &place)`, for each body `foot` at a free end | J of the point at `place`, a vector in m from the input of the body in the body frame, such as a tool. It is computed without the kinematics of other bodies: for the Panda it costs a third of `kinematics` with `jacobian()`. Not with `repeat`, not for closed chains. Its name depends on the description, so without the word `jacobian` the compiler only reports that there is no such method |
 /// | `inverse_operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | J M⁻¹ Jᵀ for a point of the kinematics, with the rows of J |
 /// | `operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | Λ = (J M⁻¹ Jᵀ)⁻¹. `Error::SingularMatrix` if the point cannot move in every direction, as that of an arm with fewer than six joints. The inertia against a force only is the inverse of the upper left block of J M⁻¹ Jᵀ, by [`linear::solve_positive_definite`](crate::linear::solve_positive_definite) |
 /// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G: rates v with G v = 0 keep the chain closed, and [`linear::null_space`](crate::linear::null_space) is a basis of them |

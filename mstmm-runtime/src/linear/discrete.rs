@@ -148,6 +148,9 @@ pub struct DiscreteModel<T, const N: usize, const U: usize> {
 
 impl<T: Scalar, const N: usize, const U: usize> DiscreteModel<T, N, U> {
     /// Returns A of x⁺ = A x + B u. `X` is 2 N; otherwise the program does not compile.
+    ///
+    /// The type of the result gives `X`, as in `let a: SMatrix<f64, 4, 4> = model.a();` for a chain with two rates, and so
+    /// does an argument of [`lqr`](super::lqr).
     #[doc(alias("Ad", "state transition matrix"))]
     pub fn a<const X: usize>(&self) -> SMatrix<T, X, X> {
         let Self { coordinates, rates } = self;
@@ -157,7 +160,7 @@ impl<T: Scalar, const N: usize, const U: usize> DiscreteModel<T, N, U> {
         )
     }
 
-    /// Returns B of x⁺ = A x + B u. `X` is 2 N; otherwise the program does not compile.
+    /// Returns B of x⁺ = A x + B u. `X` is 2 N; otherwise the program does not compile. See [`a`](Self::a).
     #[doc(alias("Bd"))]
     pub fn b<const X: usize>(&self) -> SMatrix<T, X, U> {
         stacked_inputs(&self.coordinates.by_inputs.data.0, &self.rates.by_inputs.data.0)
