@@ -2,6 +2,8 @@
 
 #[path = "matrices_by_columns/bits.rs"]
 mod bits;
+#[path = "matrices_by_columns/segments.rs"]
+mod segments;
 
 use mstmm::description::Origin;
 use mstmm::nalgebra::{SMatrix, SVector};

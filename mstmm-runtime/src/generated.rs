@@ -42,6 +42,7 @@ pub use defmt;
 pub use serde_core as serde;
 
 use crate::{Error, Mask, Scalar};
+use core::mem::take;
 
 /// The parameters of a chain and the values derived from them, read only.
 ///
@@ -241,6 +242,18 @@ pub fn chunks_mut<A: FixedLen, const N: usize, const FIRST: usize, const COUNT: 
 ) -> &mut [[A::Value; N]] {
     const { assert!(FIRST + N * COUNT <= A::LEN, "mstmm bug: chunks beyond the end of their array") };
     array.values_mut()[FIRST..FIRST + N * COUNT].as_chunks_mut().0
+}
+
+/// Takes the repetitions of a segment, each of `N` values, from the rest of an array, and skips the values before it. It is
+/// for loops that write to several segments of an array.
+#[inline(always)]
+pub fn take_chunks<'a, V, const N: usize, const SKIPPED: usize, const COUNT: usize>(
+    rest: &mut &'a mut [V],
+) -> &'a mut [[V; N]] {
+    let (_, values) = take(rest).split_at_mut_checked(SKIPPED).unwrap_or_default();
+    let (values, behind) = values.split_at_mut_checked(N * COUNT).unwrap_or_default();
+    *rest = behind;
+    values.as_chunks_mut().0
 }
 
 /// Returns the array with some entries set, each by its index.

@@ -6,7 +6,7 @@ use super::loop_inputs::{LoopInput, pattern, zipped};
 use super::names::helper;
 use super::printer::{Printer, flag};
 use crate::program::{
-    ArrayId, ArrayRole, ArraySlice, CarriedValue, ForLoop, Operand, Segment, Step, ValueId,
+    Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, ForLoop, Operand, Segment, Step, ValueId,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -76,7 +76,7 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
                     writes.extend(quote!(_ = #store.try_push(#values);));
                 }
                 _ => {
-                    let (input, statements) = write(printer, to, values);
+                    let (input, statements) = write(printer, loop_, to, values);
                     inputs.push(input);
                     writes.extend(statements);
                 }
@@ -108,8 +108,10 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
     let inits = loop_.carries.iter().map(|carry| of_type(carry, &carry.init));
     let nexts = loop_.carries.iter().map(|carry| of_type(carry, &carry.next));
     let (pattern, iterator) = zipped(inputs, &usize_literal(loop_.repetitions), loop_.inward);
+    let taken_apart = taken_apart(printer, loop_);
     quote! {
         #(let mut #exits = #inits;)*
+        #taken_apart
         for #pattern in #iterator {
             #taken
             #(let #phis = #exits;)*
@@ -165,14 +167,63 @@ fn of_local(
 /// Prints the store of a loop into a segment of a result.
 fn write(
     printer: &Printer,
+    loop_: &ForLoop,
     to: &ArraySlice,
     values: &[Option<Operand>],
 ) -> (LoopInput, TokenStream) {
-    let array = printer.filled(to.array);
     let segment = segment(printer, to);
     let (names, writes) = assigned(printer, (to, segment), values);
-    let slices = printer.cx.slices_mut(&array, segment);
+    let slices = match segments_stored(loop_, to.array).len() {
+        1 => printer.cx.slices_mut(&printer.filled(to.array), segment),
+        _ => part(to.array, to.segment).to_token_stream(),
+    };
     ((pattern(&names), quote!(#slices.iter_mut())), writes)
+}
+
+/// Returns the segments of an array that a loop stores, in their order.
+fn segments_stored(loop_: &ForLoop, array: ArrayId) -> Vec<usize> {
+    let segments = loop_.body.iter().filter_map(|step| match step {
+        Step::Store { to, .. } if to.array == array => Some(to.segment),
+        _ => None,
+    });
+    let mut segments: Vec<usize> = segments.collect();
+    segments.sort_unstable();
+    segments
+}
+
+/// Declares the slices of each result of which a loop stores several segments: the loop borrows all of them at a time.
+fn taken_apart(printer: &Printer, loop_: &ForLoop) -> TokenStream {
+    let mstmm = &printer.cx.mstmm;
+    let of_array = |(id, array): (ArrayId, &Array)| {
+        let segments = segments_stored(loop_, id);
+        if matches!(array.role, ArrayRole::Local(_)) || segments.len() < 2 {
+            return TokenStream::new();
+        }
+        let (result, rest) = (printer.filled(id), helper(&format!("rest{}", id.index())));
+        let mut end = 0;
+        let parts = segments.into_iter().map(|number| {
+            let segment = &array.layout.segments[number];
+            let [count, skipped, repetitions] =
+                [segment.count, segment.offset - end, segment.repetitions].map(usize_literal);
+            end = segment.offset + segment.count * segment.repetitions;
+            let part = part(id, number);
+            quote! {
+                let #part =
+                    #mstmm::generated::take_chunks::<_, #count, #skipped, #repetitions>(&mut #rest);
+            }
+        });
+        let parts: TokenStream = parts.collect();
+        quote! {
+            let mut #rest = #mstmm::generated::FixedLen::values_mut(&mut #result);
+            #parts
+        }
+    };
+    printer.procedure.arrays.enumerate().map(of_array).collect()
+}
+
+/// Returns the variable of the slices of a segment.
+fn part(array: ArrayId, segment: usize) -> Ident {
+    helper(&format!("part{}_{segment}", array.index()))
 }
 
 /// Prints the store, in a procedure with loops, of results that lie outside of repeated parts or are the same in every
