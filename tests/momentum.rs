@@ -29,6 +29,26 @@ mstmm_chain! {
         ground -> pin a -> Link b -> slider(x) c -> Link d;
     }
 
+    /// A robot whose base is welded to the ground, and a branch of welds only.
+    chain Fixed {
+        answers = [momentum, kinematics];
+        body Base {
+            mass = 5 kg; com = [0.1, 0.2, 0.3] m; output = [0, 0, 0.5] m turned rpy(90, 0, 30) deg;
+            inertia = diag(0.1, 0.2, 0.15) kg*m^2 about com;
+            point side = [0.4, 0, 0] m turned rpy(0, 40, 0) deg;
+        }
+        body Arm { mass = 2 kg; com = [0.3, 0, 0.1] m; inertia = diag(0.02, 0.1, 0.1) kg*m^2 about com; }
+        ground at [1, 2, 3] m turned rpy(10, 20, 30) deg -> weld foot -> Base base -> pin(y) joint -> Arm arm;
+        base.side -> weld hook -> Arm crate_box;
+    }
+
+    /// Nothing moves.
+    plane chain Wall {
+        answers = momentum;
+        body Brick { mass = 3 kg; com = [0.5, 0.1] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        ground at [1, 0] m -> weld a -> Brick b -> weld c -> Brick d;
+    }
+
     /// Two carts whose first is moved.
     line chain Carts {
         answers = momentum;
@@ -152,5 +172,34 @@ fn prescribed_motions_have_momentum() -> Result<(), Error> {
     assert_eq!((momentum.mass, momentum.linear), (4.0, 2.0 * 0.5 + 2.0 * 0.75));
     assert_eq!(carts.momentum_matrix(&state, &inputs)?[0], 2.0);
     assert!((momentum.center_of_mass - (0.4 + 0.1 + 0.25)).abs() < 1e-15);
+    Ok(())
+}
+
+/// Bodies that are fixed to the ground have no momentum, but count for the mass and its centre.
+#[test]
+fn bodies_on_the_ground_count() -> Result<(), Error> {
+    let fixed = Fixed::<f64>::new();
+    let mut state = fixed.initial_state();
+    state.joint_mut().set_angle(0.4).set_rate(2.0);
+    let inputs = fixed.no_inputs();
+    let at = fixed.kinematics(&state, &inputs)?;
+    let (base, arm, hook) = (at.base().com(), at.arm().com(), at.crate_box().com());
+    let center = (base.position() * 5.0 + (arm.position() + hook.position()) * 2.0) / 9.0;
+    let found = fixed.momentum(&state, &inputs)?;
+    // A dozen roundings of numbers below ten.
+    assert_eq!(found.mass, 9.0);
+    assert!((found.center_of_mass - center).norm() < 1e-14);
+    assert!((found.linear - arm.velocity() * 2.0).norm() < 1e-14);
+    let (omega, velocity) = (arm.angular_velocity(), arm.velocity());
+    let axes = arm.orientation();
+    let spin = axes * Vector3::new(0.02, 0.1, 0.1).component_mul(&(axes.transpose() * omega));
+    let angular = spin + (arm.position() - center).cross(&(velocity * 2.0));
+    assert!((found.angular - angular).norm() < 1e-14);
+    let column = fixed.momentum_matrix(&state, &inputs)? * state.v;
+    assert!((column.fixed_rows::<3>(3) - angular).norm() < 1e-14);
+
+    let wall = Wall::<f64>::new();
+    let found = wall.momentum(&wall.initial_state(), &wall.no_inputs())?;
+    assert_eq!((found.mass, found.center_of_mass.into()), (6.0, [2.0, 0.1]));
     Ok(())
 }

@@ -5,7 +5,7 @@ use nalgebra::{Vector2, Vector3};
 /// The momentum of a chain in space, inertial axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum<T> {
-    /// The mass of all bodies in kg.
+    /// The mass of all bodies in kg, also of those that are fixed to the ground.
     pub mass: T,
     /// The centre of mass in m.
     pub center_of_mass: Vector3<T>,

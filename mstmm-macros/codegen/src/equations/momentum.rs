@@ -2,7 +2,7 @@
 //!
 //! All vectors are in inertial axes. With the position `r` and the velocity `ṙ` of a link's point, mass
 //! `m`, first moment `h` and inertia `J` of its part about the point, and the centre of mass `c` of the
-//! chain:
+//! chain, in which bodies that are fixed to the ground count:
 //!
 //! (1)  `p = Σ m ṙ + Ω × h`
 //! (2)  `L = Σ J Ω + h × ṙ + (r − c) × (m ṙ + Ω × h)`
@@ -15,6 +15,7 @@ use super::sweep::{Flatten, PerLink};
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::ids::LinkId;
 use crate::math::{Motion, Scalar, Vec3};
+use crate::model::MovesWith;
 
 /// The momentum of a chain.
 #[derive(Clone, Copy, Debug)]
@@ -79,11 +80,23 @@ fn center_of_mass<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     poses: &PerLink<Pose<S>>,
 ) -> (S, Vec3<S>) {
-    let (mass, moment) = context.tree.total((S::zero(), Vec3::zero()), |index, (mass, moment)| {
+    let (mass, moment) = context.tree.total(on_ground(context), |index, (mass, moment)| {
         let link = &links[index];
         (mass + link.mass, moment + poses[index].position * link.mass + link.first_moment)
     });
     (mass, moment * mass.recip())
+}
+
+/// Returns the mass and the first moment about the inertial origin of all bodies that are fixed to the ground.
+fn on_ground<S: Scalar>(context: &EvalContext<S>) -> (S, Vec3<S>) {
+    let EvalContext { chain, layout, values, .. } = context;
+    let fixed = chain.physical_bodies().filter(|&body| layout.parts[body] == MovesWith::Ground);
+    fixed.fold((S::zero(), Vec3::zero()), |(mass, moment), id| {
+        let body = &chain.bodies[id];
+        let (origin, rotation) = context.frame(id);
+        let own = values.scalar(&body.mass);
+        (mass + own, moment + (origin + rotation * values.vector(&body.com)) * own)
+    })
 }
 
 /// The inertia of everything outboard of a hinge about the link's point, inertial axes. Unlike a
