@@ -37,6 +37,15 @@ mstmm_chain! {
         ground turned rpy(10, 20, 30) deg -> ball loose -> Rod rod -> ball end -> Weight weight;
     }
 
+    /// A crank that is driven, and a rod.
+    chain Crank {
+        answers = pull;
+        body Arm { mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com; }
+        ground -> slider(z) lift -> Arm arm -> pin(z) drive -> Arm crank -> pin(z) joint -> Arm rod;
+        hinge drive { motion = input; }
+    }
+
     /// A body whose centre of mass lies far beyond its output, on the same axis.
     chain Overhang {
         gravity = [0, -9.8, 0] m/s^2;
@@ -148,4 +157,18 @@ fn a_force_is_right_to_rounding_wherever_the_output_lies() {
         // A few dozen roundings, each of half a unit.
         assert!(off < 32.0 * f64::EPSILON, "seed {seed}: {off:e}");
     }
+}
+
+/// The gradient at a weight of the slider does not depend on the rates of pins, but the accelerations do.
+#[test]
+fn a_gradient_with_accelerations_that_overflow_is_an_error() {
+    let chain = Crank::<f64>::new();
+    let (state, mut inputs) = (chain.initial_state(), chain.no_inputs());
+    inputs.drive.state = mstmm::PinState::new(0.0, 1e160);
+    let overflow = Err(Error::NotFinite(Origin::Result));
+    assert_eq!(chain.accelerations(&state, &inputs).map(|_| ()), overflow);
+    let weights = nalgebra::Vector2::new(1.0, 0.0);
+    let (mut accelerations, mut gradient) = (weights, CrankVariation::default());
+    let found = chain.pull_into(&state, &inputs, &weights, &mut accelerations, &mut gradient);
+    assert_eq!(found, overflow);
 }

@@ -43,7 +43,7 @@ fn lowered(
     setup: &SetupSlots,
     failure: Failure,
 ) -> Procedure {
-    lower(program, function, Some(Checks { finite: NUMBERS, failure, unread: true }), setup)
+    lower(program, function, Some(Checks { finite: &[NUMBERS], failure, unread: true }), setup)
 }
 
 /// Compares a function after every pass, down to the procedure. Returns whether it has results.

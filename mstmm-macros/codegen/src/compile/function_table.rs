@@ -16,12 +16,21 @@ pub(super) struct FunctionSpec {
     pub when: fn(&Chain, &Findings, &Layout) -> bool,
     /// Traces its equations.
     pub trace: for<'a> fn(&ChainCompiler<'a>) -> Traced<'a>,
-    /// The output that must be finite, and the contents of the results after a failure.
+    /// The outputs that must be finite, and the contents of the results after a failure.
     pub checks: Option<Checks>,
 }
 
 /// Accelerations must be finite; after a failure the caller's vector is unchanged.
-const SOLVED: Option<Checks> = checked(outputs::ACCELERATIONS);
+const SOLVED: Option<Checks> = checked(&[outputs::ACCELERATIONS]);
+
+/// The tested results of a gradient: all, since some derivatives are finite where accelerations are not.
+const GRADIENT: &[OutputId] = &[
+    outputs::ACCELERATIONS,
+    outputs::BY_COORDINATES,
+    outputs::BY_RATES,
+    outputs::BY_INPUTS,
+    outputs::BY_PARAMETERS,
+];
 
 /// All functions, in the order of [`Answer::ALL`].
 pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
@@ -44,7 +53,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
         when: always,
         trace: |chain| chain.solution(),
         checks: Some(Checks {
-            finite: outputs::ACCELERATIONS,
+            finite: &[outputs::ACCELERATIONS],
             failure: Failure::Reset,
             unread: true,
         }),
@@ -91,25 +100,25 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             [Request::BiasEfforts, Request::InverseDynamics].iter().any(|&it| asks(chain, it))
         },
         trace: |chain| chain.bias_efforts(),
-        checks: checked(outputs::BIAS_EFFORTS),
+        checks: checked(&[outputs::BIAS_EFFORTS]),
     },
     FunctionSpec {
         answer: Answer::InverseDynamics,
         when: |chain, _, _| asks(chain, Request::InverseDynamics),
         trace: |chain| chain.inverse_dynamics(),
-        checks: checked(outputs::EFFORTS),
+        checks: checked(&[outputs::EFFORTS]),
     },
     FunctionSpec {
         answer: Answer::GravityEfforts,
         when: |chain, _, _| asks(chain, Request::InverseDynamics),
         trace: |chain| chain.gravity_efforts(),
-        checks: checked(outputs::EFFORTS),
+        checks: checked(&[outputs::EFFORTS]),
     },
     FunctionSpec {
         answer: Answer::PassiveEfforts,
         when: |chain, _, _| asks(chain, Request::InverseDynamics),
         trace: |chain| chain.passive_efforts(),
-        checks: checked(outputs::EFFORTS),
+        checks: checked(&[outputs::EFFORTS]),
     },
     FunctionSpec {
         answer: Answer::InverseSolution,
@@ -117,7 +126,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             asks(chain, Request::InverseDynamics) && layout.loop_hinges.is_empty()
         },
         trace: |chain| chain.inverse_solution(),
-        checks: Some(Checks { finite: outputs::EFFORTS, failure: Failure::Reset, unread: true }),
+        checks: Some(Checks { finite: &[outputs::EFFORTS], failure: Failure::Reset, unread: true }),
     },
     FunctionSpec {
         answer: Answer::MassMatrixTimes,
@@ -125,7 +134,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             asks(chain, Request::MassMatrix) || by_columns(chain, layout, Request::Derivatives)
         },
         trace: |chain| chain.mass_matrix_times(),
-        checks: checked(outputs::PRODUCT),
+        checks: checked(&[outputs::PRODUCT]),
     },
     FunctionSpec {
         answer: Answer::InverseMassMatrixTimes,
@@ -134,7 +143,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             is_asked || by_columns(chain, layout, Request::Linearize)
         },
         trace: |chain| chain.inverse_mass_matrix_times(),
-        checks: checked(outputs::PRODUCT),
+        checks: checked(&[outputs::PRODUCT]),
     },
     FunctionSpec {
         answer: Answer::Push,
@@ -142,37 +151,37 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             asks(chain, Request::Push) || by_columns(chain, layout, Request::Linearize)
         },
         trace: |chain| chain.push(),
-        checks: checked(outputs::CHANGE),
+        checks: checked(&[outputs::CHANGE]),
     },
     FunctionSpec {
         answer: Answer::EffortsChange,
         when: |chain, _, layout| by_columns(chain, layout, Request::Derivatives),
         trace: |chain| chain.efforts_change(),
-        checks: checked(outputs::CHANGE),
+        checks: checked(&[outputs::CHANGE]),
     },
     FunctionSpec {
         answer: Answer::Pull,
         when: |chain, _, _| asks(chain, Request::Pull),
         trace: |chain| chain.pull(),
-        checks: checked(outputs::BY_COORDINATES),
+        checks: checked(GRADIENT),
     },
     FunctionSpec {
         answer: Answer::ClosureJacobianTimes,
         when: |chain, _, layout| asks(chain, Request::Jacobian) && !layout.loop_hinges.is_empty(),
         trace: |chain| chain.closure_jacobian_times(),
-        checks: checked(outputs::PRODUCT),
+        checks: checked(&[outputs::PRODUCT]),
     },
     FunctionSpec {
         answer: Answer::Regressor,
         when: |chain, _, _| asks(chain, Request::Regressor) && chain.repeats.is_empty(),
         trace: |chain| chain.regressor(),
-        checks: dense(outputs::REGRESSOR),
+        checks: dense(&[outputs::REGRESSOR]),
     },
     FunctionSpec {
         answer: Answer::RegressorTimes,
         when: |chain, _, _| asks(chain, Request::Regressor),
         trace: |chain| chain.regressor_times(),
-        checks: checked(outputs::PRODUCT),
+        checks: checked(&[outputs::PRODUCT]),
     },
     FunctionSpec {
         answer: Answer::DynamicParameters,
@@ -184,7 +193,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
         answer: Answer::MassMatrix,
         when: |chain, _, layout| asks(chain, Request::MassMatrix) && is_dense(chain, layout),
         trace: |chain| chain.mass_matrix(),
-        checks: dense(outputs::MATRIX),
+        checks: dense(&[outputs::MATRIX]),
     },
     FunctionSpec {
         answer: Answer::InverseMassMatrix,
@@ -194,19 +203,19 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
                 && layout.loop_hinges.is_empty()
         },
         trace: |chain| chain.inverse_mass_matrix(),
-        checks: dense(outputs::MATRIX),
+        checks: dense(&[outputs::MATRIX]),
     },
     FunctionSpec {
         answer: Answer::InverseDynamicsDerivatives,
         when: |chain, _, layout| asks(chain, Request::Derivatives) && is_dense(chain, layout),
         trace: |chain| chain.inverse_dynamics_derivatives(),
-        checks: dense(outputs::BY_COORDINATES),
+        checks: dense(&[outputs::BY_COORDINATES]),
     },
     FunctionSpec {
         answer: Answer::Linearization,
         when: |chain, _, layout| asks(chain, Request::Linearize) && is_dense(chain, layout),
         trace: |chain| chain.linearization(),
-        checks: dense(outputs::ACCELERATIONS),
+        checks: dense(&[outputs::ACCELERATIONS]),
     },
     FunctionSpec {
         answer: Answer::Kinematics,
@@ -214,19 +223,19 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             [Request::Kinematics, Request::Jacobian].iter().any(|&it| asks(chain, it))
         },
         trace: |chain| chain.kinematics(),
-        checks: Some(Checks { finite: outputs::MOTIONS, failure: Failure::Reset, unread: true }),
+        checks: Some(Checks { finite: &[outputs::MOTIONS], failure: Failure::Reset, unread: true }),
     },
     FunctionSpec {
         answer: Answer::Momentum,
         when: |chain, _, _| asks(chain, Request::Momentum),
         trace: |chain| chain.momentum(),
-        checks: checked(outputs::MOMENTUM),
+        checks: checked(&[outputs::MOMENTUM]),
     },
     FunctionSpec {
         answer: Answer::MomentumMatrix,
         when: |chain, _, _| asks(chain, Request::Momentum),
         trace: |chain| chain.momentum_matrix(),
-        checks: checked(outputs::MOMENTUM),
+        checks: checked(&[outputs::MOMENTUM]),
     },
     FunctionSpec {
         answer: Answer::RegressorMotions,
@@ -234,24 +243,24 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
             asks(chain, Request::Regressor) && has_regressor_by_rates(chain, layout)
         },
         trace: |chain| chain.regressor_motions(),
-        checks: dense(outputs::MOTIONS),
+        checks: dense(&[outputs::MOTIONS]),
     },
 ];
 
-/// The output must be finite; after a failure the caller's storage is unchanged.
-const fn checked(finite: OutputId) -> Option<Checks> {
+/// The outputs must be finite; after a failure the caller's storage is unchanged.
+const fn checked(finite: &'static [OutputId]) -> Option<Checks> {
     Some(Checks { finite, failure: Failure::Untouched, unread: true })
 }
 
-/// The output must be finite; after a failure some entries may have been written.
-const fn dense(finite: OutputId) -> Option<Checks> {
+/// The outputs must be finite; after a failure some entries may have been written.
+const fn dense(finite: &'static [OutputId]) -> Option<Checks> {
     Some(Checks { finite, failure: Failure::PartlyWritten, unread: true })
 }
 
 /// The Jacobian of a point must be finite. Rates and other hinges do not matter, and to test them would take a part of the
 /// time of a short function.
 pub(super) const OF_POINT: Option<Checks> =
-    Some(Checks { finite: outputs::MATRIX, failure: Failure::PartlyWritten, unread: false });
+    Some(Checks { finite: &[outputs::MATRIX], failure: Failure::PartlyWritten, unread: false });
 
 /// Returns whether the matrices of a chain are computed entry by entry, not column by column in loops.
 fn is_dense(chain: &Chain, layout: &Layout) -> bool {

@@ -12,8 +12,8 @@ use crate::program::{
 /// The tests of a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Checks {
-    /// The output that must be finite, together with all values that it depends on.
-    pub finite: OutputId,
+    /// The outputs that must be finite, together with all values that they depend on, as far as the function has them.
+    pub finite: &'static [OutputId],
     /// The contents of the results after a failure.
     pub failure: Failure,
     /// Whether all coordinates, rates and inputs are tested, also those that the function does not read.
@@ -38,7 +38,8 @@ pub fn lower(
     };
     lowering.number_checks();
     let mut body = Vec::new();
-    let finiteness = checks.map(|checks| program.finiteness(function.entries_of(checks.finite)));
+    let finiteness =
+        checks.map(|checks| program.finiteness(&function.entries_of_all(checks.finite)));
     if let (Some(checks), Some(finiteness)) = (checks, &finiteness) {
         body.extend(lowering.check_arguments(checks, finiteness));
     }
@@ -294,11 +295,7 @@ impl Lowering<'_> {
     fn check_results(&mut self, checks: Checks, finiteness: &Finiteness) -> Step {
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
-            let role = ArrayRole::Result(checks.finite);
-            let Some(array) = self.arrays.position(|array| array.role == role) else {
-                bug!("the output that must be finite is not computed")
-            };
-            finite.push(Witness::Array(array));
+            finite.extend(self.results_of_loops(checks.finite));
         } else {
             let state = [Argument::Coordinates, Argument::Rates];
             for argument in state {
@@ -330,6 +327,26 @@ impl Lowering<'_> {
             PivotTest { hinge: pivot.hinge.clone(), pivot: found }
         });
         Step::CheckResults(ResultCheck { pivots: pivots.collect(), finite })
+    }
+
+    /// Returns the results of a program with loops that must be finite: values, and arrays with entries of repeated parts.
+    fn results_of_loops(&self, ids: &[OutputId]) -> Vec<Witness> {
+        let tested = self.function.outputs.iter().filter(|output| ids.contains(&output.id));
+        let witnesses = tested.flat_map(|output| {
+            let role = ArrayRole::Result(output.id);
+            let array = self.arrays.position(|array| array.role == role);
+            let is_repeated = |id: &ArrayId| {
+                self.arrays[*id].layout.segments.iter().any(|segment| segment.repeat.is_some())
+            };
+            match array.filter(is_repeated) {
+                Some(array) => vec![Witness::Array(array)],
+                None => {
+                    let values = &self.program.results[self.function.entries_of(output.id)];
+                    values.iter().flatten().cloned().map(Witness::Value).collect()
+                }
+            }
+        });
+        witnesses.collect()
     }
 }
 

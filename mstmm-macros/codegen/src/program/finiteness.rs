@@ -31,14 +31,15 @@ enum Status<'a> {
 }
 
 impl Program {
-    /// Finds which values the results in a range of indices cover.
+    /// Finds which values the results in ranges of indices cover.
     ///
     /// Sums, products, roots, sines and cosines propagate values that are not finite (IEEE 754: 0 · ∞ and ∞ − ∞ are
     /// undefined, and so are all results of undefined operands). Reciprocals do not, since 1/∞ is zero, nor do
     /// arctangents and the sign of `copysign`. Loop-carried values are not followed, since the chain of repetitions may
     /// end with the last one.
-    pub fn finiteness(&self, range: Range<usize>) -> Finiteness<'_> {
-        let results: Vec<&Operand> = self.results[range.clone()].iter().flatten().collect();
+    pub fn finiteness(&self, ranges: &[Range<usize>]) -> Finiteness<'_> {
+        let results = ranges.iter().flat_map(|range| self.results[range.clone()].iter().flatten());
+        let results: Vec<&Operand> = results.collect();
         let values = vec![Status::Uncovered; self.names.count()];
         let mut finiteness = Finiteness { values, ..Finiteness::default() };
         for result in &results {
@@ -47,7 +48,8 @@ impl Program {
             }
         }
         let of_loops = self.loops().flat_map(|block| &block.results);
-        let of_loops = of_loops.filter(|(index, _)| range.contains(index));
+        let is_tested = |index: &usize| ranges.iter().any(|range| range.contains(index));
+        let of_loops = of_loops.filter(|(index, _)| is_tested(index));
         of_loops.for_each(|(_, result)| finiteness.cover(result));
         self.backwards().for_each(|statement| finiteness.follow(statement));
         // Results that no statement computes: unknowns and slots.
@@ -166,7 +168,7 @@ mod tests {
             pivots: Vec::new(),
         };
         // `d` covers `c`, `a`, and the first two unknowns; `b` may be zero if `a` is infinite.
-        let finiteness = program.finiteness(0..7);
+        let finiteness = program.finiteness(&[0..4, 4..7]);
         assert_eq!(finiteness.witnesses, [&read_z, &read_b, &minus_d]);
         assert_eq!(finiteness.covered, HashSet::from([0, 1, 2].map(SymbolId)));
     }

@@ -84,7 +84,7 @@ pub fn through_passes<S: Judge>(function: &Function, values: &Values<S>) -> Vec<
     let function = reassociate(fuse_loops(factor(drop_unused_carries(function.clone()))));
     let mut setup = SetupSlots::default();
     let program = linearize(&function, &mut setup);
-    let checks = Checks { finite: NUMBERS, failure: Failure::Untouched, unread: true };
+    let checks = Checks { finite: &[NUMBERS], failure: Failure::Untouched, unread: true };
     let procedure = lower(program, &function, Some(checks), &setup);
     computed(&function, (&procedure, &setup), values).expect("finite results")
 }
