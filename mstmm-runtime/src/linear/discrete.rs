@@ -15,7 +15,14 @@ use nalgebra::{SMatrix, SVector};
 
 /// A chain with `N` rates and `U` inputs whose accelerations have derivatives.
 ///
-/// Closed chains do not implement it: their rates are not independent.
+/// A generated chain implements it if its description has `answers = linearize;`. Closed chains do not: their rates are
+/// not independent.
+#[diagnostic::on_unimplemented(
+    message = "the chain `{Self}` has no linearisation",
+    label = "needs `answers = linearize;` and an open chain",
+    note = "add `answers = linearize;` to the chain, or the word to its list: `answers = […, linearize];`",
+    note = "closed chains do not have it, since their rates are not independent"
+)]
 pub trait Linearize<const N: usize, const U: usize>: Chain {
     /// Computes accelerations and their derivatives at a state.
     ///

@@ -24,6 +24,14 @@ mstmm_chain! {
     }
 }
 
+mstmm_chain! {
+    plane chain Rope {
+        answers = [mass_matrix, linearize];
+        body Rod { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 1 kg*m^2 about com; }
+        ground -> repeat 3 { pin joint -> Rod rod };
+    }
+}
+
 /// A user's method with the name of an answer.
 trait Regressor {
     fn regressor(&self) -> f64;
@@ -54,5 +62,11 @@ fn main() -> Result<(), mstmm::Error> {
     let (state, inputs) = (closed.initial_state(), closed.no_inputs());
     let efforts = closed.inverse_dynamics(&state, &state.v, &inputs)?;
     closed.inverse_solve_into(&state, &efforts, &inputs, &mut closed.workspace())?;
+
+    let rope = Rope::<f64>::new();
+    let (state, inputs) = (rope.initial_state(), rope.no_inputs());
+    rope.mass_matrix(&state, &inputs)?;
+    mstmm::linear::discretize(&rope, &state, &inputs, 0.1)?;
+    mstmm::linear::discretize(&closed, &closed.initial_state(), &closed.no_inputs(), 0.1)?;
     Ok(())
 }

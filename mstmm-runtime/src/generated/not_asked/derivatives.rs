@@ -10,6 +10,15 @@ use super::{NotAsked, Unanswered};
 )]
 pub trait AsksDerivatives: Unanswered {}
 
+/// Chains whose description asks for `derivatives`, without `repeat` and with at most 40 rates.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `derivatives`, or the chain has `repeat` or more than 40 rates",
+    label = "needs `answers = derivatives;`, no `repeat` and at most 40 rates",
+    note = "add `answers = derivatives;` to the chain, or the word to its list: `answers = […, derivatives];`",
+    note = "a chain with `repeat` or more than 40 rates has `inverse_dynamics_derivatives_into`, which writes to the caller's storage"
+)]
+pub trait AsksDerivativesOfShortChain: Unanswered {}
+
 impl<C> NotAsked<C> {
     pub fn inverse_dynamics_derivatives_into<R>(
         &self,
@@ -26,7 +35,7 @@ impl<C> NotAsked<C> {
 
     pub fn inverse_dynamics_derivatives<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
     where
-        Self: AsksDerivatives,
+        Self: AsksDerivativesOfShortChain,
     {
         Self::answer()
     }
@@ -40,6 +49,15 @@ impl<C> NotAsked<C> {
 )]
 pub trait AsksLinearize: Unanswered {}
 
+/// Chains whose description asks for `linearize`, without `repeat` and with at most 40 rates.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `linearize`, or the chain has `repeat` or more than 40 rates",
+    label = "needs `answers = linearize;`, no `repeat` and at most 40 rates",
+    note = "add `answers = linearize;` to the chain, or the word to its list: `answers = […, linearize];`",
+    note = "a chain with `repeat` or more than 40 rates has `linearize_into`, which writes to the caller's storage"
+)]
+pub trait AsksLinearizeOfShortChain: Unanswered {}
+
 impl<C> NotAsked<C> {
     pub fn linearize_into<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
     where
@@ -50,7 +68,7 @@ impl<C> NotAsked<C> {
 
     pub fn linearize<R>(&self, _: impl Sized, _: impl Sized) -> R
     where
-        Self: AsksLinearize,
+        Self: AsksLinearizeOfShortChain,
     {
         Self::answer()
     }

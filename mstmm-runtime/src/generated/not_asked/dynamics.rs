@@ -116,10 +116,19 @@ impl<C> NotAsked<C> {
 )]
 pub trait AsksMassMatrix: Unanswered {}
 
+/// Chains whose description asks for `mass_matrix`, without `repeat` and with at most 40 rates.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `mass_matrix`, or the chain has `repeat` or more than 40 rates",
+    label = "needs `answers = mass_matrix;`, no `repeat` and at most 40 rates",
+    note = "add `answers = mass_matrix;` or `answers = basic;` to the chain, or the word to its list: `answers = […, mass_matrix];`",
+    note = "a chain with `repeat` or more than 40 rates has `mass_matrix_into`, which writes to the caller's storage"
+)]
+pub trait AsksMassMatrixOfShortChain: Unanswered {}
+
 impl<C> NotAsked<C> {
     pub fn mass_matrix<R>(&self, _: impl Sized, _: impl Sized) -> R
     where
-        Self: AsksMassMatrix,
+        Self: AsksMassMatrixOfShortChain,
     {
         Self::answer()
     }
@@ -161,10 +170,20 @@ impl<C> NotAsked<C> {
 )]
 pub trait AsksMassMatrixOfOpenChain: Unanswered {}
 
+/// Open chains whose description asks for `mass_matrix`, without `repeat` and with at most 40 rates.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `mass_matrix`, or the chain is closed, or has `repeat` or more than 40 rates",
+    label = "needs `answers = mass_matrix;` and an open chain without `repeat`, with at most 40 rates",
+    note = "add `answers = mass_matrix;` or `answers = basic;` to the chain, or the word to its list: `answers = […, mass_matrix];`",
+    note = "a closed chain does not have this method",
+    note = "a chain with `repeat` or more than 40 rates has `inverse_mass_matrix_into`, which writes to the caller's storage"
+)]
+pub trait AsksMassMatrixOfShortOpenChain: Unanswered {}
+
 impl<C> NotAsked<C> {
     pub fn inverse_mass_matrix<R>(&self, _: impl Sized, _: impl Sized) -> R
     where
-        Self: AsksMassMatrixOfOpenChain,
+        Self: AsksMassMatrixOfShortOpenChain,
     {
         Self::answer()
     }

@@ -174,10 +174,9 @@ fn columns_type(cx: &EmitContext) -> TokenStream {
     quote!(<T as #mstmm::Scalar>::Columns)
 }
 
-/// Returns the implementation of the trait that the discrete model of a step needs, for a chain whose linearisation is
-/// written out.
+/// Returns the implementation of the trait that the discrete model of a step needs.
 pub(super) fn linearize_trait(cx: &EmitContext) -> TokenStream {
-    if cx.compiled.find(Answer::Linearization).is_none() {
+    if !cx.chain.requests.contains(&Request::Linearize) {
         return TokenStream::new();
     }
     let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
