@@ -41,7 +41,7 @@ pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
 pub use limbs::{LimbGroup, limb_groups};
 pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
 pub(crate) use lower::listed;
-pub use request::{ANSWER_WORDS, Request};
+pub use request::{ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request};
 pub use results::Results;
 pub use rules::Check;
 pub use shape::{Geometry, Shape};

@@ -82,12 +82,17 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 /// The suffixes of the types that a chain generates.
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
+/// The suffixes of further types that a chain with the setting `answers` may generate.
+const ANSWER_TYPES: &[&str] =
+    &["Kinematics", "Variation", "InverseDynamicsDerivatives", "Linearization"];
+
 /// Reports generated types with the same name: the types of all chains of one call are in one
 /// module.
 fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
-        let types = TYPES.iter().map(|suffix| format!("{}{suffix}", chain.name));
+        let suffixes = TYPES.iter().chain(ANSWER_TYPES.iter().filter(|_| asks(chain)));
+        let types = suffixes.map(|suffix| format!("{}{suffix}", chain.name));
         let types: Vec<String> = types.chain(result_types(chain)).collect();
         let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
         if let Some((name, other)) = clash {
@@ -102,14 +107,23 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Returns the types of results at bodies with named points.
+/// Returns whether a chain has the setting `answers`.
+fn asks(chain: &ChainSyntax) -> bool {
+    chain.settings.iter().any(|field| field.name == "answers")
+}
+
+/// Returns the types of results and of kinematics at bodies with named points.
 fn result_types(chain: &ChainSyntax) -> Vec<String> {
     let parts = chain.parts.iter().map(|part| (part.name.to_string(), &part.content));
     let contents = [(String::new(), &chain.content)].into_iter().chain(parts);
     let types = contents.flat_map(|(part, content)| {
         let bodies = content.blocks.iter().filter(|block| !block.points.is_empty());
         let names = bodies.flat_map(|block| &block.names);
-        names.map(move |name| format!("{}{part}{name}Result", chain.name))
+        let suffixes = ["Result", "Kinematics"].into_iter().take(if asks(chain) { 2 } else { 1 });
+        names.flat_map(move |name| {
+            let start = format!("{}{part}{name}", chain.name);
+            suffixes.clone().map(move |suffix| format!("{start}{suffix}"))
+        })
     });
     types.collect()
 }

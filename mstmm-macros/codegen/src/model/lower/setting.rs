@@ -4,8 +4,11 @@ use super::context::{Context, Spanned};
 use super::dimension::ACCELERATION;
 use super::fields::{FieldOwner, Fields};
 use crate::diag::{did_you_mean, nearest};
-use crate::model::{ANSWER_WORDS, Request, Results, SolutionMethod, Source};
+use crate::model::{
+    ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request, Results, SolutionMethod, Source,
+};
 use crate::syntax::{ChainSyntax, ExprKind, ExprSyntax, ListSyntax, SETTINGS, ValueSyntax};
+use proc_macro2::Ident;
 use std::fmt::Display;
 
 pub(super) const METHODS: &[(&str, SolutionMethod)] =
@@ -75,7 +78,11 @@ fn method(context: &mut Context, syntax: &ValueSyntax) -> Option<SolutionMethod>
 }
 
 fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
-    let chosen = chosen(context, syntax, &Choices { keywords: RESULTS, example: "[z, poses]" })?;
+    let chosen = chosen(
+        context,
+        syntax,
+        &Choices { keywords: RESULTS, others: &[], example: "[z, poses]" },
+    )?;
     let mut results = Results::NONE;
     chosen.into_iter().for_each(|result| *(result.value)(&mut results) = true);
     Some(results)
@@ -83,7 +90,8 @@ fn results(context: &mut Context, syntax: &ValueSyntax) -> Option<Results> {
 
 /// Reads the requests. A request that two words stand for belongs to the first.
 fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Spanned<Request>>> {
-    let choices = Choices { keywords: ANSWER_WORDS, example: "[basic, linearize]" };
+    let choices =
+        Choices { keywords: ANSWER_WORDS, others: OTHER_ANSWERS, example: "[basic, linearize]" };
     let words = chosen(context, syntax, &choices)?;
     let of_word = |word: Spanned<&'static [Request]>| {
         word.value.iter().map(move |&value| Spanned { value, at: word.at })
@@ -97,6 +105,8 @@ fn answers(context: &mut Context, syntax: &ValueSyntax) -> Option<Vec<Spanned<Re
 /// Keywords that may be chosen.
 struct Choices<'a, T> {
     keywords: &'a [(&'a str, T)],
+    /// Words for the same in other programs.
+    others: &'a [(&'a str, Foreign)],
     /// An example of several keywords.
     example: &'a str,
 }
@@ -136,19 +146,45 @@ impl<T> Choices<'_, T> {
         entry: &ExprSyntax,
         chosen: &mut Vec<usize>,
     ) -> Option<()> {
-        let ExprKind::Name(word) = &entry.kind else {
-            return context.refuse(entry.extent, self.missing("a number"));
+        let position = |name: &str| self.keywords.iter().position(|(word, _)| *word == name);
+        let word = match &entry.kind {
+            ExprKind::Name(word) => word,
+            ExprKind::Quantity(of, unit) if matches!(of.kind, ExprKind::Name(_)) => {
+                let second = unit.factors.first().map(|factor| factor.symbol.as_str());
+                let message = match second.filter(|second| position(second).is_some()) {
+                    Some(second) => format!("write `,` before `{second}`"),
+                    None => "a keyword has no unit: remove the unit".to_owned(),
+                };
+                return context.refuse(unit.extent, message);
+            }
+            _ => return context.refuse(entry.extent, self.missing("a number")),
         };
-        let name = word.to_string();
-        let Some(number) = self.keywords.iter().position(|(keywords, _)| *keywords == name) else {
-            let hint = did_you_mean(&name, self.keywords.iter().map(|(keywords, _)| *keywords));
-            return context.refuse(word, self.missing(format!("`{word}`{hint}")));
+        let Some(number) = position(&word.to_string()) else {
+            return context.refuse(word, self.unknown(word));
         };
         if chosen.contains(&number) {
             return context.refuse(word, format!("`{word}` is given twice"));
         }
         chosen.push(number);
         Some(())
+    }
+
+    /// Returns the message for a word that is no keyword.
+    fn unknown(&self, word: &Ident) -> String {
+        let name = word.to_string();
+        let mut others = self.others.iter().filter(|(other, _)| other.eq_ignore_ascii_case(&name));
+        match others.next() {
+            Some((_, Foreign::OfAll(method))) => {
+                format!("every chain has `{method}`: remove `{word}`")
+            }
+            Some((_, Foreign::Keyword(meant))) => {
+                self.missing(format!("`{word}`; did you mean `{meant}`?"))
+            }
+            None => {
+                let hint = did_you_mean(&name, self.keywords.iter().map(|(word, _)| *word));
+                self.missing(format!("`{word}`{hint}"))
+            }
+        }
     }
 
     fn missing(&self, found: impl Display) -> String {

@@ -109,6 +109,11 @@ fn chains_have_types_of_their_own() {
     expect("A", "A", "two chains have the name `A`");
     expect("AState", "A", "chains `AState` and `A` both have a type `AState`");
     expect("A", "AWorkspace", "chains `A` and `AWorkspace` both have a type `AWorkspace`");
+    // Types that only answers add.
+    let asking = chain("A").replace("{ body", "{ answers = basic; body");
+    let message = "chains `A` and `AKinematics` both have a type `AKinematics`";
+    expect_all(&[asking, chain("AKinematics")].concat(), &[("AKinematics", message)]);
+    expect_all(&[chain("A"), chain("AKinematics")].concat(), &[]);
     expect_all(&[chain("A"), chain("B")].concat(), &[]);
 }
 

@@ -2,6 +2,7 @@
 
 use super::each_error_once::expect_rods;
 use super::{PENDULUM, edited, expect, expect_all};
+use crate::model::{ANSWER_WORDS, Foreign, OTHER_ANSWERS};
 
 #[test]
 fn names_are_used_once() {
@@ -160,5 +161,38 @@ fn positions_of_the_ground_begin_with_at() {
     for turned in ["", "turned rpy(0, 0, 90) deg"] {
         let ground = format!("ground [0, 0, 1] m {turned} -> pin(z) shoulder");
         expect("ground -> pin(z) shoulder", &ground, &[("[0, 0, 1]", message)]);
+    }
+}
+
+#[test]
+fn answers_of_other_programs_are_known() {
+    let expect = |answers: &str, at: &str, message: &str| {
+        expect_rods(&format!("answers = {answers}; ground -> pin j -> Rod rod;"), &[(at, message)]);
+    };
+    for (word, meant) in [
+        ("rnea", "inverse_dynamics"),
+        ("crba", "mass_matrix"),
+        ("nonLinearEffects", "bias_efforts"),
+        ("computeABADerivatives", "linearize"),
+        ("centroidal_momentum", "momentum"),
+        ("mass_matrix_times", "mass_matrix"),
+    ] {
+        expect(word, word, &format!("expected …, found `{word}`; did you mean `{meant}`?"));
+    }
+    expect("aba", "aba", "every chain has `accelerations`: remove `aba`");
+    expect("[basic, energy]", "energy", "every chain has `energy`: remove `energy`");
+    expect("[push pull]", "pull", "write `,` before `pull`");
+    expect("[push m]", "m", "a keyword has no unit: …");
+    expect("push m", "m", "a keyword has no unit: …");
+}
+
+/// All words that are known from elsewhere lead to words of the language.
+#[test]
+fn answers_that_are_meant_exist() {
+    for (word, meant) in OTHER_ANSWERS {
+        assert!(ANSWER_WORDS.iter().all(|(answer, _)| answer != word), "{word}");
+        if let Foreign::Keyword(meant) = meant {
+            assert!(ANSWER_WORDS.iter().any(|(answer, _)| answer == meant), "{word}");
+        }
     }
 }
