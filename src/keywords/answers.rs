@@ -239,7 +239,7 @@ pub enum mass_matrix {}
 ///
 /// | method | result |
 /// |---|---|
-/// | `momentum(&state, &inputs)` | mass, centre of mass, linear momentum, and angular momentum about the centre of mass, in inertial axes: a [`Momentum`](crate::Momentum) |
+/// | `momentum(&state, &inputs)` | mass, centre of mass, linear momentum, and angular momentum about the centre of mass, in inertial axes: a [`Momentum`](crate::Momentum). Bodies that are fixed to the ground count for the mass and its centre |
 /// | `momentum_matrix(&state, &inputs)` | the centroidal momentum matrix, 6 × N: linear momentum in kg m/s, then angular momentum in kg m²/s, for rates v. Its first three rows divided by the mass are the Jacobian of the centre of mass. 3 × N in a plane, 1 × N on a line |
 ///
 /// Other tools and textbooks: `CalcCenterOfMassPositionInWorld`, `CalcJacobianCenterOfMassTranslationalVelocity`, `CalcSpatialMomentumInWorldAboutPoint`, `ccrba`, `centerOfMass`, `computeCentroidalMap`, `computeCentroidalMomentum`, `jacobianCenterOfMass`, `mj_angmomMat`, `mj_jacSubtreeCom`, `subtree_angmom`, `subtree_com`, `subtree_linvel`.
