@@ -47,6 +47,13 @@ mstmm_chain! {
         hinge turntable { motion = input; }
         hinge elbow { damping = 0.1 N*s/m; turning_damping = 0.2 N*m*s/rad; }
     }
+
+    /// A body that turns about its input.
+    pub chain Top {
+        answers = [regressor];
+        body Rotor { mass = 1 kg; com = [0, 0, 0.1] m; inertia = diag(0.1, 0.2, 0.3) kg*m^2 about com; }
+        ground -> ball tip -> Rotor rotor;
+    }
 }
 
 /// Returns the regressor, the efforts and the dynamic parameters at a state without symmetry.
@@ -109,4 +116,18 @@ fn an_arm_on_a_driven_base_has_the_regressor_of_straight_code() -> Result<(), Er
         inputs.turntable = HingeMotion { state, acceleration: number(3) };
     });
     Ok(())
+}
+
+/// The motion is finite, products of its rates are not.
+#[test]
+fn entries_that_overflow_are_an_error() {
+    let chain = Top::<f64>::new();
+    let mut state = chain.initial_state();
+    let regressor = |state: &TopState<f64>| {
+        chain.regressor(state, &state.v, &chain.no_inputs()).map(|regressor| regressor.sum())
+    };
+    state.v.fill(1e100);
+    assert!(regressor(&state).is_ok_and(f64::is_finite));
+    state.v.fill(1e160);
+    assert!(matches!(regressor(&state), Err(Error::NotFinite(_))));
 }

@@ -10,7 +10,7 @@ pub type BodyMotions<T> = [[T; 3]; 7];
 /// The columns of the regressor for one body: mass, first moment, then the inertia's entries xx, yy, zz, xy, xz, yz.
 const PARAMETERS: usize = 10;
 
-/// Writes the columns of the inertial parameters of all bodies.
+/// Writes the columns of the inertial parameters of all bodies. Returns a sum of all entries.
 ///
 /// `unit_motions` are the motions at unit rates in common axes: for each of the three components of the velocity, then of
 /// the angular velocity, one entry for each of the `N` rates, and zeros up to `P`, a multiple of the lanes. Bit `k` of a
@@ -27,22 +27,24 @@ pub fn regressor_of_bodies<
     paths: &[[u64; W]],
     unit_motions: &[[T; P]],
     regressor: &mut [[T; N]],
-) {
-    let Some(unit_motions) = unit_motions.first_chunk() else { return };
+) -> T {
+    let mut sum = C::constant(0.0);
+    let Some(unit_motions) = unit_motions.first_chunk() else { return T::constant(0.0) };
     let (bodies, _) = regressor.as_chunks_mut::<PARAMETERS>();
     for ((motion, path), columns) in motions.iter().zip(paths).zip(bodies) {
         let body = BodyTerms::new(motion);
         for first in (0..N - N % C::COUNT).step_by(C::COUNT) {
-            rows::<T, C, N, P>(&body, path, unit_motions, columns, [first, C::COUNT]);
+            sum += rows::<T, C, N, P>(&body, path, unit_motions, columns, [first, C::COUNT]);
         }
         if !N.is_multiple_of(C::COUNT) {
             let last = [N - N % C::COUNT, N % C::COUNT];
-            rows::<T, C, N, P>(&body, path, unit_motions, columns, last);
+            sum += rows::<T, C, N, P>(&body, path, unit_motions, columns, last);
         }
     }
+    sum.values().fold(T::constant(0.0), |sum, value| sum + value)
 }
 
-/// Writes rows of the columns of a body, from a first one on.
+/// Writes rows of the columns of a body, from a first one on. Returns the sums of their entries.
 #[inline(always)]
 fn rows<T: Scalar, C: Columns<T>, const N: usize, const P: usize>(
     body: &BodyTerms<T>,
@@ -50,25 +52,28 @@ fn rows<T: Scalar, C: Columns<T>, const N: usize, const P: usize>(
     [ux, uy, uz, wx, wy, wz]: &[[T; P]; 6],
     columns: &mut [[T; N]; PARAMETERS],
     [first, count]: [usize; 2],
-) {
+) -> C {
     let word = path.get(first / 64).copied().unwrap_or_default() >> (first % 64);
     if word & (u64::MAX >> (64 - C::COUNT)) == 0 {
         for column in columns {
             column.iter_mut().skip(first).take(count).for_each(|place| *place = T::constant(0.0));
         }
-        return;
+        return C::constant(0.0);
     }
     let mask = C::from_fn(|lane| T::constant(f64::from((word >> lane) as u32 & 1)));
     // Not by `map` of arrays, which LLVM does not always inline.
     let velocity: [C; 3] = [lanes(ux, first, mask), lanes(uy, first, mask), lanes(uz, first, mask)];
     let omega: [C; 3] = [lanes(wx, first, mask), lanes(wy, first, mask), lanes(wz, first, mask)];
-    for (column, entry) in columns.iter_mut().zip(body.entries(velocity, omega)) {
+    let entries = body.entries(velocity, omega);
+    for (column, entry) in columns.iter_mut().zip(entries) {
         if let Some(places) = column.get_mut(first..first + count) {
             for (lane, place) in places.iter_mut().enumerate() {
                 *place = entry.column(lane);
             }
         }
     }
+    let [a, b, c, d, e, f, g, h, i, j] = entries;
+    ((a + b) + (c + d)) + ((e + f) + (g + h)) + (i + j)
 }
 
 /// Returns the entries from index `first` on, times the entries of `mask`.

@@ -53,13 +53,14 @@ pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
     let opening = quote! {
         #(#arrays)*
         #statements
-        #mstmm::generated::regressor_of_bodies::<T, C, _, #padded, _>(
+        let sum_ = #mstmm::generated::regressor_of_bodies::<T, C, _, #padded, _>(
             motions_.as_chunks::<3>().0.as_chunks::<7>().0,
             &[#(#paths),*],
             #mstmm::generated::chunks::<_, #padded, 0, 6>(&columns_),
             &mut regressor_.data.0,
         );
         #of_elements
+        #mstmm::generated::check_finite::<Self, T>(&[&[sum_]], state_, inputs_)?;
     };
     let body = body(opening, quote!(::core::result::Result::Ok(())));
     let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
