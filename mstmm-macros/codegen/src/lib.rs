@@ -92,10 +92,8 @@ fn expand_with(description: TokenStream, mstmm: &TokenStream, is_packed: bool) -
     // The user's errors end here: the phases below cannot fail.
     let expand_chain = |CheckedChain { chain, passthrough, findings }: &CheckedChain| {
         let layout = model::Layout::of(chain);
-        let mut compiled = compile::compile(chain, findings, &layout);
-        if is_packed {
-            compiled.pack_limbs(chain, &layout);
-        }
+        let compile = if is_packed { compile::compile_packed } else { compile::compile };
+        let compiled = compile(chain, findings, &layout);
         emit::expand(chain, passthrough, &layout, &compiled, findings, mstmm)
     };
     let mut items: TokenStream = match &errors {

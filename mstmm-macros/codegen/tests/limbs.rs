@@ -5,7 +5,7 @@ mod common;
 
 use common::given::Given;
 use common::interpreter::{Failed, run};
-use mstmm_codegen::compile::{Compiled, compile};
+use mstmm_codegen::compile::{Compiled, compile, compile_packed};
 use mstmm_codegen::model::{self, Answer, Layout};
 use mstmm_codegen::program::{Argument, ArrayRole, PACK, Procedure, Statement};
 use mstmm_reference::Random;
@@ -17,10 +17,9 @@ fn compiled(text: &str) -> Compiled {
     let chains = model_of(text);
     let (chain, findings) = &chains[0];
     let layout = Layout::of(chain);
-    let mut compiled = compile(chain, findings, &layout);
-    assert!(compiled.functions.iter().all(|function| function.packed.is_none()));
-    compiled.pack_limbs(chain, &layout);
-    compiled
+    let straight = compile(chain, findings, &layout);
+    assert!(straight.functions.iter().all(|function| function.packed.is_none()));
+    compile_packed(chain, findings, &layout)
 }
 
 fn model_of(text: &str) -> Vec<(model::Chain, mstmm_codegen::examine::Findings)> {

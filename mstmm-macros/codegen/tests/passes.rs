@@ -9,10 +9,10 @@ use common::slots::computed;
 use mstmm_codegen::expr::Graph;
 use mstmm_codegen::function::Function;
 use mstmm_codegen::passes::{
-    Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
-    list_schedule, lower, reassociate, separate_factor,
+    Checks, SetupSlots, choose_signs, drop_unused_carries, early_stores, factor, fuse_loops,
+    linearize, list_schedule, lower, negate, reassociate, separate_factor,
 };
-use mstmm_codegen::program::{Failure, Procedure, Program};
+use mstmm_codegen::program::{Failure, Operand, Procedure, Program, Statement, Step};
 use mstmm_reference::Random;
 
 type Pass = for<'g> fn(Function<'g>) -> Function<'g>;
@@ -46,8 +46,28 @@ fn lowered(
     lower(program, function, Some(Checks { finite: &[NUMBERS], failure, unread: true }), setup)
 }
 
-/// Compares a function after every pass, down to the procedure. Returns whether it has results.
-fn one_function(seed: u64, looped: bool) -> bool {
+/// Returns the number of negated operands of a procedure.
+fn negations(procedure: &Procedure) -> usize {
+    let of_step = |step: &Step| match step {
+        Step::Compute(section) => {
+            let operands = section.statements.iter().flat_map(Statement::operands);
+            operands.filter(|operand| matches!(operand, Operand::Minus(_))).count()
+        }
+        Step::Store { values, .. } => {
+            values.iter().flatten().filter(|operand| matches!(operand, Operand::Minus(_))).count()
+        }
+        _ => 0,
+    };
+    let in_loops = |step: &Step| match step {
+        Step::Loop(loop_) => loop_.body.iter().map(of_step).sum(),
+        _ => of_step(step),
+    };
+    procedure.body.iter().map(in_loops).sum()
+}
+
+/// Compares a function after every pass, down to the procedure. Returns whether it has results. Adds to `saved` the
+/// negations that signs save, and all negations before.
+fn one_function(seed: u64, looped: bool, saved: &mut (usize, usize)) -> bool {
     let mut random = Random::new(seed);
     let graph = Graph::default();
     let unknowns = unknowns(looped);
@@ -73,19 +93,34 @@ fn one_function(seed: u64, looped: bool) -> bool {
         check("early_stores", &early_stores(linear));
         let scheduled = lowered(list_schedule(program.clone()), &function, &setup, failure);
         check("list_schedule", &scheduled);
-        check("early_stores of list_schedule", &early_stores(scheduled));
+        let stored = early_stores(scheduled);
+        check("early_stores of list_schedule", &stored);
+        let some = (0..stored.values.count()).map(|_| random.chance(0.5)).collect();
+        check("negate", &negate(stored.clone(), some));
+        let signed = choose_signs(stored.clone());
+        check("choose_signs", &signed);
+        let [before, after] = [&stored, &signed].map(negations);
+        assert!(after <= before, "seed {seed}: {before} negations, now {after}");
+        saved.0 += before - after;
+        saved.1 += before;
     }
     before.is_ok()
 }
 
 #[test]
 fn functions_with_loops() {
-    let done = (0..1500).filter(|&seed| one_function(seed, true)).count();
+    let mut saved = (0, 0);
+    let done = (0..1500).filter(|&seed| one_function(seed, true, &mut saved)).count();
     assert!(done > 750, "{done}");
+    println!("signs save {} of {} negations", saved.0, saved.1);
+    assert!(4 * saved.0 > saved.1, "{saved:?}");
 }
 
 #[test]
 fn functions_without_loops() {
-    let done = (0..1000).filter(|&seed| one_function(seed, false)).count();
+    let mut saved = (0, 0);
+    let done = (0..1000).filter(|&seed| one_function(seed, false, &mut saved)).count();
     assert!(done > 500, "{done}");
+    println!("signs save {} of {} negations", saved.0, saved.1);
+    assert!(4 * saved.0 > saved.1, "{saved:?}");
 }

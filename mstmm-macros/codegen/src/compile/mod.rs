@@ -29,7 +29,7 @@ use crate::examine::Findings;
 use crate::expr::Graph;
 use crate::function::Unknowns;
 use crate::model::{Answer, BodyId, Chain, Check, Layout, SolutionMethod};
-use crate::passes::{SetupSlots, pack_limbs};
+use crate::passes::SetupSlots;
 use crate::program::Procedure;
 use compiler::ChainCompiler;
 use function_table::{FUNCTIONS, FunctionSpec, OF_POINT, is_by_columns};
@@ -62,7 +62,7 @@ pub struct CompiledFunction {
     pub by_columns: bool,
     /// Its procedure.
     pub procedure: Procedure,
-    /// The same procedure with limbs of one shape side by side: after [`Compiled::pack_limbs`], if that saves operations.
+    /// The same procedure with limbs of one shape side by side: by [`compile_packed`], if that saves operations.
     pub packed: Option<Procedure>,
 }
 
@@ -70,19 +70,6 @@ impl Compiled {
     /// Returns the function for an answer, if the chain has it.
     pub fn find(&self, answer: Answer) -> Option<&CompiledFunction> {
         self.functions.iter().find(|function| function.answer == Some(answer))
-    }
-
-    /// Adds the packed forms of the functions of a chain.
-    pub fn pack_limbs(&mut self, chain: &Chain, layout: &Layout) {
-        let limbs = limbs::limbs(chain, layout, &Layout::merged(chain));
-        let by_rates = self.find(Answer::RegressorMotions).is_some();
-        for function in &mut self.functions {
-            // The regressor by rates is faster.
-            if by_rates && function.answer == Some(Answer::Regressor) {
-                continue;
-            }
-            function.packed = pack_limbs(&function.procedure, &limbs);
-        }
     }
 
     /// Returns the function for an answer that every chain has.
@@ -103,6 +90,15 @@ impl CompiledFunction {
 
 /// Compiles all functions of a chain.
 pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled {
+    compile_with(chain, findings, layout, false)
+}
+
+/// Compiles all functions of a chain, also in the form with limbs of one shape side by side.
+pub fn compile_packed(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled {
+    compile_with(chain, findings, layout, true)
+}
+
+fn compile_with(chain: &Chain, findings: &Findings, layout: &Layout, is_packed: bool) -> Compiled {
     specs(chain, findings, layout, |compiler, specs| {
         let mut setup = SetupSlots::default();
         let mut storage = PointStorage::default();
@@ -123,18 +119,22 @@ pub fn compile(chain: &Chain, findings: &Findings, layout: &Layout) -> Compiled 
         let checks = chain.checks();
         let of_setup = compiler.setup(&setup, &checks);
         let of_setup = pipeline::order(of_setup, false, &mut SetupSlots::default());
-        let finish = |answer, by_columns, ordered, tests| CompiledFunction {
-            answer,
-            by_columns,
-            procedure: pipeline::finish(ordered, tests, &setup),
-            packed: None,
+        let limbs = is_packed.then(|| limbs::limbs(chain, layout, &Layout::merged(chain)));
+        // The regressor by rates is faster.
+        let by_rates = ordered.iter().any(|(spec, ..)| spec.answer == Answer::RegressorMotions);
+        let finish = |answer, by_columns, ordered, checks, limbs| {
+            let (procedure, packed) = pipeline::finish(ordered, checks, &setup, limbs);
+            CompiledFunction { answer, by_columns, procedure, packed }
         };
-        let setup_function = finish(None, false, of_setup, None);
-        let finished = |ordered| pipeline::finish(ordered, OF_POINT, &setup);
-        let jacobians = jacobians.into_iter().map(|(body, ordered)| (body, finished(ordered)));
-        let functions = ordered.into_iter();
-        let functions = functions.map(|(spec, by_columns, ordered)| {
-            finish(Some(spec.answer), by_columns, ordered, spec.checks)
+        let setup_function = finish(None, false, of_setup, None, None);
+        let jacobian = |(body, ordered)| {
+            let (procedure, _) = pipeline::finish(ordered, OF_POINT, &setup, None);
+            (body, procedure)
+        };
+        let jacobians = jacobians.into_iter().map(jacobian);
+        let functions = ordered.into_iter().map(|(spec, by_columns, ordered)| {
+            let limbs = limbs.as_ref().filter(|_| !by_rates || spec.answer != Answer::Regressor);
+            finish(Some(spec.answer), by_columns, ordered, spec.checks, limbs)
         });
         Compiled {
             unknowns: compiler.unknowns().clone(),

@@ -3,8 +3,8 @@
 
 use crate::function::Function;
 use crate::passes::{
-    Checks, SetupSlots, drop_unused_carries, early_stores, factor, fuse_loops, linearize,
-    list_schedule, lower, reassociate, separate_factor,
+    Checks, Limbs, SetupSlots, choose_signs, drop_unused_carries, early_stores, factor, fuse_loops,
+    linearize, list_schedule, lower, pack_limbs, reassociate, separate_factor,
 };
 use crate::program::{Procedure, Program};
 
@@ -50,7 +50,15 @@ pub(super) fn readable(function: Function, setup: &mut SetupSlots) -> Program {
     linearize(&run(function, &SIMPLIFY), setup)
 }
 
-/// Adds loads, tests and stores, once all slots are known.
-pub(super) fn finish(ordered: Ordered, checks: Option<Checks>, setup: &SetupSlots) -> Procedure {
-    early_stores(lower(ordered.program, &ordered.function, checks, setup))
+/// Adds loads, tests and stores, once all slots are known. Returns the procedure, and the same procedure with limbs of one
+/// shape side by side if that saves operations.
+pub(super) fn finish(
+    ordered: Ordered,
+    checks: Option<Checks>,
+    setup: &SetupSlots,
+    limbs: Option<&Limbs>,
+) -> (Procedure, Option<Procedure>) {
+    let procedure = early_stores(lower(ordered.program, &ordered.function, checks, setup));
+    let packed = limbs.and_then(|limbs| pack_limbs(&procedure, limbs));
+    (choose_signs(procedure), packed.map(choose_signs))
 }

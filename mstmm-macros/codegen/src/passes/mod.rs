@@ -11,11 +11,12 @@
 //! [`linearize()`] orders a function into a program; `select_fma` chooses the products that it fuses with their sums, and
 //! `angles` groups its sines and cosines. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
 //! loads, tests and stores, [`early_stores()`] moves the stores up, and [`pack_limbs()`] computes limbs of one shape side by
-//! side. The module `compile` lists the order of the passes.
+//! side. [`choose_signs()`] comes last. The module `compile` lists the order of the passes.
 //!
 //! Constant folding, signs and common subexpressions need no pass: the graph's rules apply when formulas are created.
 
 mod angles;
+mod choose_signs;
 mod compute;
 mod early_stores;
 mod factor;
@@ -38,6 +39,7 @@ mod select_fma;
 mod separate_factor;
 mod setup;
 
+pub use choose_signs::{choose_signs, negate};
 pub use early_stores::early_stores;
 pub use factor::factor;
 pub use fuse_loops::fuse_loops;

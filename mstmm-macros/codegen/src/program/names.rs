@@ -34,6 +34,11 @@ impl ValueNames {
         ValueId::new(self.texts.len() - 1)
     }
 
+    /// Gives a value another name.
+    pub fn rename(&mut self, value: ValueId, text: String) {
+        self.texts[value.index()] = text;
+    }
+
     /// Returns the name of a value.
     pub fn text(&self, value: ValueId) -> &str {
         &self.texts[value.index()]

@@ -293,12 +293,12 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         at_.kinetic_energy = t4_;
         ::mstmm::generated::store_fence();
         /// Wrench in `joint`.
-        let minus_joint_wrench_fx_ = T::mul_neg_add(
+        let joint_wrench_fx_ = T::mul_sub(
             known_rod_mass_,
             joint_acc_lin_x_,
             minus_rod_velocity_wrench_fx_,
         );
-        *n7_15_ = T::negate(minus_joint_wrench_fx_);
+        *n7_15_ = joint_wrench_fx_;
         ::mstmm::generated::store_fence();
         /// Results.
         let t6_ = c_(9.8) * t5_;
