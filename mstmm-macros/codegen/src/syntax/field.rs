@@ -144,6 +144,11 @@ impl Ends {
                 self.skip(input);
                 return false;
             }
+            if value.word().is_some() && after.peek_ident().is_some() && !begins_field(&after) {
+                diagnostics.error(at, "write several words in brackets: `[…, …]`");
+                self.skip(input);
+                return false;
+            }
             if begins_field(&after) || after.is_empty() {
                 if !self.reported {
                     diagnostics.error(at, "fields end with `;`");

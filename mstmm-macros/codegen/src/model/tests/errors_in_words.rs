@@ -182,6 +182,7 @@ fn answers_of_other_programs_are_known() {
     expect("aba", "aba", "every chain has `accelerations`: remove `aba`");
     expect("[basic, energy]", "energy", "every chain has `energy`: remove `energy`");
     expect("[push pull]", "pull", "write `,` before `pull`");
+    expect("push, pull", ",", "write several words in brackets: `[…, …]`");
     expect("[push m]", "m", "a keyword has no unit: …");
     expect("push m", "m", "a keyword has no unit: …");
 }
