@@ -30,8 +30,9 @@ pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
             ///
             /// # Errors
             ///
-            /// `Error::NotFinite` if the state, the accelerations or the inputs are not finite. Entries of
-            /// `derivatives` may then be overwritten.
+            /// `Error::NotFinite` if the state, the accelerations, the inputs or the derivatives by the coordinates
+            /// are not finite. Entries of `derivatives` may then be overwritten. Other entries are not tested: they
+            /// may overflow where a length or a rate exceeds 1e150, in `f32` 1e18.
         },
     ]
 }
@@ -78,8 +79,9 @@ pub(super) fn docs_of_linearization(cx: &EmitContext) -> [TokenStream; 2] {
             /// # Errors
             ///
             /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
-            /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `linearization` may then
-            /// be overwritten.
+            /// `Error::NotFinite` if the state, the inputs or the accelerations are not finite. Entries of
+            /// `linearization` may then be overwritten. The derivatives are not tested: they may overflow where a
+            /// length or a rate exceeds 1e150, in `f32` 1e18.
         },
     ]
 }
