@@ -10,7 +10,11 @@ pub type BodyMotions<T> = [[T; 3]; 7];
 /// The columns of the regressor for one body: mass, first moment, then the inertia's entries xx, yy, zz, xy, xz, yz.
 const PARAMETERS: usize = 10;
 
-/// Writes the columns of the inertial parameters of all bodies. Returns a sum of all entries.
+/// The largest position, in metres, for which entries are tested for overflow.
+const REACH: f64 = 1e12;
+
+/// Writes the columns of the inertial parameters of all bodies. Returns a value that is finite only if all entries are,
+/// with positions of at most [`REACH`] metres.
 ///
 /// `unit_motions` are the motions at unit rates in common axes: for each of the three components of the velocity, then of
 /// the angular velocity, one entry for each of the `N` rates, and zeros up to `P`, a multiple of the lanes. Bit `k` of a
@@ -28,23 +32,31 @@ pub fn regressor_of_bodies<
     unit_motions: &[[T; P]],
     regressor: &mut [[T; N]],
 ) -> T {
-    let mut sum = C::constant(0.0);
-    let Some(unit_motions) = unit_motions.first_chunk() else { return T::constant(0.0) };
+    let mut sum = T::constant(0.0);
+    let Some(unit_motions) = unit_motions.first_chunk() else { return sum };
     let (bodies, _) = regressor.as_chunks_mut::<PARAMETERS>();
     for ((motion, path), columns) in motions.iter().zip(paths).zip(bodies) {
         let body = BodyTerms::new(motion);
+        sum += size(motion);
         for first in (0..N - N % C::COUNT).step_by(C::COUNT) {
-            sum += rows::<T, C, N, P>(&body, path, unit_motions, columns, [first, C::COUNT]);
+            rows::<T, C, N, P>(&body, path, unit_motions, columns, [first, C::COUNT]);
         }
         if !N.is_multiple_of(C::COUNT) {
             let last = [N - N % C::COUNT, N % C::COUNT];
-            sum += rows::<T, C, N, P>(&body, path, unit_motions, columns, last);
+            rows::<T, C, N, P>(&body, path, unit_motions, columns, last);
         }
     }
-    sum.values().fold(T::constant(0.0), |sum, value| sum + value)
+    sum * T::constant(REACH)
 }
 
-/// Writes rows of the columns of a body, from a first one on. Returns the sums of their entries.
+/// Returns a bound of the accelerations and the products of rates of a body.
+#[inline(always)]
+fn size<T: Scalar>(&[.., [p, q, r], [x, y, z], [a, b, c]]: &BodyMotions<T>) -> T {
+    let squares = p.mul_add(p, q.mul_add(q, r * r));
+    squares + (x.abs() + y.abs() + z.abs()) + (a.abs() + b.abs() + c.abs())
+}
+
+/// Writes rows of the columns of a body, from a first one on.
 #[inline(always)]
 fn rows<T: Scalar, C: Columns<T>, const N: usize, const P: usize>(
     body: &BodyTerms<T>,
@@ -52,28 +64,25 @@ fn rows<T: Scalar, C: Columns<T>, const N: usize, const P: usize>(
     [ux, uy, uz, wx, wy, wz]: &[[T; P]; 6],
     columns: &mut [[T; N]; PARAMETERS],
     [first, count]: [usize; 2],
-) -> C {
+) {
     let word = path.get(first / 64).copied().unwrap_or_default() >> (first % 64);
     if word & (u64::MAX >> (64 - C::COUNT)) == 0 {
         for column in columns {
             column.iter_mut().skip(first).take(count).for_each(|place| *place = T::constant(0.0));
         }
-        return C::constant(0.0);
+        return;
     }
     let mask = C::from_fn(|lane| T::constant(f64::from((word >> lane) as u32 & 1)));
     // Not by `map` of arrays, which LLVM does not always inline.
     let velocity: [C; 3] = [lanes(ux, first, mask), lanes(uy, first, mask), lanes(uz, first, mask)];
     let omega: [C; 3] = [lanes(wx, first, mask), lanes(wy, first, mask), lanes(wz, first, mask)];
-    let entries = body.entries(velocity, omega);
-    for (column, entry) in columns.iter_mut().zip(entries) {
+    for (column, entry) in columns.iter_mut().zip(body.entries(velocity, omega)) {
         if let Some(places) = column.get_mut(first..first + count) {
             for (lane, place) in places.iter_mut().enumerate() {
                 *place = entry.column(lane);
             }
         }
     }
-    let [a, b, c, d, e, f, g, h, i, j] = entries;
-    ((a + b) + (c + d)) + ((e + f) + (g + h)) + (i + j)
 }
 
 /// Returns the entries from index `first` on, times the entries of `mask`.
