@@ -23,14 +23,9 @@ pub(super) struct FunctionSpec {
 /// Accelerations must be finite; after a failure the caller's vector is unchanged.
 const SOLVED: Option<Checks> = checked(&[outputs::ACCELERATIONS]);
 
-/// The tested results of a gradient: all, since some derivatives are finite where accelerations are not.
-const GRADIENT: &[OutputId] = &[
-    outputs::ACCELERATIONS,
-    outputs::BY_COORDINATES,
-    outputs::BY_RATES,
-    outputs::BY_INPUTS,
-    outputs::BY_PARAMETERS,
-];
+/// The tested results of a gradient. By rates and inputs it has no larger products than these, and testing all of it took
+/// 1.15 of the time for three balls.
+const GRADIENT: &[OutputId] = &[outputs::ACCELERATIONS, outputs::BY_COORDINATES];
 
 /// All functions, in the order of [`Answer::ALL`].
 pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
