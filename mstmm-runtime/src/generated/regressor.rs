@@ -10,11 +10,11 @@ pub type BodyMotions<T> = [[T; 3]; 7];
 /// The columns of the regressor for one body: mass, first moment, then the inertia's entries xx, yy, zz, xy, xz, yz.
 const PARAMETERS: usize = 10;
 
-/// The largest position, in metres, for which entries are tested for overflow.
+/// The largest position, in metres, with which products of rates are tested for overflow.
 const REACH: f64 = 1e12;
 
-/// Writes the columns of the inertial parameters of all bodies. Returns a value that is finite only if all entries are,
-/// with positions of at most [`REACH`] metres.
+/// Writes the columns of the inertial parameters of all bodies. Returns the sum of the squares of all angular velocities,
+/// times [`REACH`]: if it and all motions are finite, so are the entries, unless a motion itself is near overflow.
 ///
 /// `unit_motions` are the motions at unit rates in common axes: for each of the three components of the velocity, then of
 /// the angular velocity, one entry for each of the `N` rates, and zeros up to `P`, a multiple of the lanes. Bit `k` of a
@@ -32,12 +32,13 @@ pub fn regressor_of_bodies<
     unit_motions: &[[T; P]],
     regressor: &mut [[T; N]],
 ) -> T {
-    let mut sum = T::constant(0.0);
-    let Some(unit_motions) = unit_motions.first_chunk() else { return sum };
+    let mut squares = T::constant(0.0);
+    let Some(unit_motions) = unit_motions.first_chunk() else { return squares };
     let (bodies, _) = regressor.as_chunks_mut::<PARAMETERS>();
     for ((motion, path), columns) in motions.iter().zip(paths).zip(bodies) {
         let body = BodyTerms::new(motion);
-        sum += size(motion);
+        let [.., [p, q, r], _, _] = *motion;
+        squares = p.mul_add(p, q.mul_add(q, r.mul_add(r, squares)));
         for first in (0..N - N % C::COUNT).step_by(C::COUNT) {
             rows::<T, C, N, P>(&body, path, unit_motions, columns, [first, C::COUNT]);
         }
@@ -46,14 +47,7 @@ pub fn regressor_of_bodies<
             rows::<T, C, N, P>(&body, path, unit_motions, columns, last);
         }
     }
-    sum * T::constant(REACH)
-}
-
-/// Returns a bound of the accelerations and the products of rates of a body.
-#[inline(always)]
-fn size<T: Scalar>(&[.., [p, q, r], [x, y, z], [a, b, c]]: &BodyMotions<T>) -> T {
-    let squares = p.mul_add(p, q.mul_add(q, r * r));
-    squares + (x.abs() + y.abs() + z.abs()) + (a.abs() + b.abs() + c.abs())
+    squares * T::constant(REACH)
 }
 
 /// Writes rows of the columns of a body, from a first one on.
