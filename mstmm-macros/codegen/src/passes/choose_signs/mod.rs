@@ -54,13 +54,13 @@ fn free_values(procedure: &Procedure) -> Vec<bool> {
         }
     }
     // A value that a loop stores is the same value where a later loop reads it.
-    let in_loops = |step: &Step| match step {
-        Step::Loop(loop_) => loop_.body.clone(),
-        _ => vec![step.clone()],
-    };
-    for step in procedure.body.iter().flat_map(in_loops) {
+    let steps = procedure.body.iter().flat_map(|step| match step {
+        Step::Loop(loop_) => &loop_.body[..],
+        _ => std::slice::from_ref(step),
+    });
+    for step in steps {
         if let Step::Load { into, .. } = step {
-            into.into_iter().flatten().for_each(|value| free[value.index()] = false);
+            into.iter().flatten().for_each(|value| free[value.index()] = false);
         }
     }
     free
