@@ -14,7 +14,7 @@ const PARAMETERS: usize = 10;
 const REACH: f64 = 1e12;
 
 /// Writes the columns of the inertial parameters of all bodies. Returns the sum of the squares of all angular velocities,
-/// times [`REACH`]: if it and all motions are finite, so are the entries, unless a motion itself is near overflow.
+/// times `REACH`: if it and all motions are finite, so are the entries, unless a motion itself is near overflow.
 ///
 /// `unit_motions` are the motions at unit rates in common axes: for each of the three components of the velocity, then of
 /// the angular velocity, one entry for each of the `N` rates, and zeros up to `P`, a multiple of the lanes. Bit `k` of a
