@@ -123,20 +123,14 @@ impl Function<'_> {
 
     /// Returns the range of an output's entries among the [`results`](Self::results).
     pub fn entries_of(&self, id: OutputId) -> Range<usize> {
-        let found = self.entries_of_all(&[id]).pop();
-        found.unwrap_or_else(|| bug!("a function has no output `{}`", id.name))
-    }
-
-    /// Returns the ranges of the outputs' entries among the [`results`](Self::results); none of an output that the function
-    /// does not have.
-    pub fn entries_of_all(&self, ids: &[OutputId]) -> Vec<Range<usize>> {
         let mut start = 0;
-        let ranges = self.outputs.iter().map(|output| {
-            let range = start..start + output.values.len();
-            start = range.end;
-            (output.id, range)
-        });
-        ranges.filter(|(id, _)| ids.contains(id)).map(|(_, range)| range).collect()
+        for output in &self.outputs {
+            if output.id == id {
+                return start..start + output.values.len();
+            }
+            start += output.values.len();
+        }
+        bug!("a function has no output `{}`", id.name)
     }
 
     /// Iterates over what the function returns or tests: results, pivots and their scales.

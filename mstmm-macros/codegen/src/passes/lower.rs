@@ -12,7 +12,7 @@ use crate::program::{
 /// The tests of a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Checks {
-    /// The outputs that must be finite, together with all values that they depend on, as far as the function has them.
+    /// The outputs that must be finite, together with all values that they depend on.
     pub finite: &'static [OutputId],
     /// The contents of the results after a failure.
     pub failure: Failure,
@@ -38,8 +38,10 @@ pub fn lower(
     };
     lowering.number_checks();
     let mut body = Vec::new();
-    let finiteness =
-        checks.map(|checks| program.finiteness(&function.entries_of_all(checks.finite)));
+    let finiteness = checks.map(|checks| {
+        let entries = checks.finite.iter().map(|&id| function.entries_of(id));
+        program.finiteness(&entries.collect::<Vec<_>>())
+    });
     if let (Some(checks), Some(finiteness)) = (checks, &finiteness) {
         body.extend(lowering.check_arguments(checks, finiteness));
     }
@@ -331,9 +333,8 @@ impl Lowering<'_> {
 
     /// Returns the results of a program with loops that must be finite: values, and arrays with entries of repeated parts.
     fn results_of_loops(&self, ids: &[OutputId]) -> Vec<Witness> {
-        let tested = self.function.outputs.iter().filter(|output| ids.contains(&output.id));
-        let witnesses = tested.flat_map(|output| {
-            let role = ArrayRole::Result(output.id);
+        let witnesses = ids.iter().flat_map(|&id| {
+            let role = ArrayRole::Result(id);
             let array = self.arrays.position(|array| array.role == role);
             let is_repeated = |id: &ArrayId| {
                 self.arrays[*id].layout.segments.iter().any(|segment| segment.repeat.is_some())
@@ -341,7 +342,7 @@ impl Lowering<'_> {
             match array.filter(is_repeated) {
                 Some(array) => vec![Witness::Array(array)],
                 None => {
-                    let values = &self.program.results[self.function.entries_of(output.id)];
+                    let values = &self.program.results[self.function.entries_of(id)];
                     values.iter().flatten().cloned().map(Witness::Value).collect()
                 }
             }
