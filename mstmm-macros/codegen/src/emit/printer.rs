@@ -80,7 +80,7 @@ impl Printer<'_> {
 
     /// Returns whether a step must not move past the statements that follow. LLVM delays stores in order to vectorise
     /// neighbouring ones, and the results of all connection points then wait in memory. Entries of matrices may wait: with
-    /// fences the mass matrix of three balls takes 1.1 times as long.
+    /// fences the mass matrix of three balls takes 1.15 times as long.
     fn is_kept_in_place(&self, step: &Step) -> bool {
         match step {
             Step::Store { to, .. } => {
