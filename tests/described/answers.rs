@@ -86,8 +86,10 @@ fn answers_by_name_are_those_of_the_methods() -> Result<(), Error> {
     chain.inverse_mass_matrix_into(&state, &inputs, &mut inverse)?;
     let (mut pushed, mut change) = (SVector::default(), SVector::default());
     chain.push_into(&state, &inputs, &variation, &mut pushed, &mut change)?;
+    assert_eq!(chain.push(&state, &inputs, &variation)?, (pushed, change));
     let (mut pulled, mut gradient) = (SVector::default(), EverythingVariation::default());
     chain.pull_into(&state, &inputs, &vector, &mut pulled, &mut gradient)?;
+    assert_eq!(chain.pull(&state, &inputs, &vector)?, (pulled, gradient));
     let momentum = chain.momentum(&state, &inputs)?;
     let slices = |parts: &[&[f64]]| parts.concat();
     for name in Answer::ALL {

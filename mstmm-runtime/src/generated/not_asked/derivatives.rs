@@ -83,6 +83,13 @@ impl<C> NotAsked<C> {
 pub trait AsksPush: Unanswered {}
 
 impl<C> NotAsked<C> {
+    pub fn push<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksPush,
+    {
+        Self::answer()
+    }
+
     pub fn push_into<R>(
         &self,
         _: impl Sized,
@@ -107,6 +114,13 @@ impl<C> NotAsked<C> {
 pub trait AsksPull: Unanswered {}
 
 impl<C> NotAsked<C> {
+    pub fn pull<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksPull,
+    {
+        Self::answer()
+    }
+
     pub fn pull_into<R>(
         &self,
         _: impl Sized,

@@ -52,7 +52,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let functions = functions.filter(|function| !function.answer.is_some_and(is_part));
     let methods = functions.map(|function| method(cx, function));
     let by_value = dynamics::by_value(cx);
-    let derivatives = derivatives::by_value(cx);
+    let (derivatives, products) = (derivatives::by_value(cx), products::by_value(cx));
     let energy = chain_impl::energy(cx);
     let closure_jacobian = closure_jacobian::matrix(cx);
     let (by_columns, linearize) = (by_columns::emit(cx), by_columns::linearize_trait(cx));
@@ -70,6 +70,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             #(#methods)*
             #(#by_value)*
             #derivatives
+            #products
             #energy
             #closure_jacobian
             #regressor

@@ -1,10 +1,12 @@
 //! The methods for products with the derivatives of the accelerations.
 
+use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
 use super::dynamics::{lent_rates, of_vector};
 use super::{MethodTemplate, fallible, of_state_and_inputs};
 use crate::compile::outputs;
+use crate::model::Answer;
 use crate::program::OutputId;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -91,4 +93,55 @@ pub(super) fn pull(cx: &EmitContext) -> MethodTemplate {
             _ => bug!("a gradient has no place for `{}`", id.name),
         },
     }
+}
+
+/// Returns the methods that return products by value.
+pub(super) fn by_value(cx: &EmitContext) -> TokenStream {
+    let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
+    let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
+    let (variation, count) = (&cx.names.variation, usize_literal(cx.rates().total));
+    let rates = quote!(#mstmm::nalgebra::SVector<T, #count>);
+    let zeros = quote!(#mstmm::generated::vector([T::constant(0.0); #count]));
+    let mut methods = TokenStream::new();
+    if cx.compiled.find(Answer::Push).is_some() {
+        let (given, returns) = (of_state_and_inputs(cx), fallible(cx, &quote!((#rates, #rates))));
+        methods.extend(quote! {
+            /// Returns the accelerations `v̇` and their derivative along a direction; see
+            /// [`push_into`](Self::push_into).
+            ///
+            /// # Errors
+            ///
+            /// Those of [`push_into`](Self::push_into).
+            #(#[doc = #errors])*
+            #[inline]
+            #visibility fn push(&self, #given direction_: &#variation<T>) -> #returns {
+                #checked
+                let mut accelerations_ = #zeros;
+                let mut change_ = #zeros;
+                self.push_into(state_, inputs_, direction_, &mut accelerations_, &mut change_)?;
+                ::core::result::Result::Ok((accelerations_, change_))
+            }
+        });
+    }
+    if cx.compiled.find(Answer::Pull).is_some() {
+        let (given, returns) = (of_vector(cx), fallible(cx, &quote!((#rates, #variation<T>))));
+        methods.extend(quote! {
+            /// Returns the accelerations `v̇` and the gradient of their weighted sum; see
+            /// [`pull_into`](Self::pull_into).
+            ///
+            /// # Errors
+            ///
+            /// Those of [`pull_into`](Self::pull_into).
+            #(#[doc = #errors])*
+            #[inline]
+            #visibility fn pull(&self, #given) -> #returns {
+                #checked
+                let mut accelerations_ = #zeros;
+                let mut gradient_ = <#variation<T> as ::core::default::Default>::default();
+                self.pull_into(state_, inputs_, vector_, &mut accelerations_, &mut gradient_)?;
+                ::core::result::Result::Ok((accelerations_, gradient_))
+            }
+        });
+    }
+    methods
 }
