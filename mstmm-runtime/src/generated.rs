@@ -22,6 +22,7 @@ pub use crate::formats::closeness;
 pub use crate::formats::maps;
 pub use crate::formats::{Listing, ParameterRows};
 pub use crate::kinematics::{RateRun, inverse_of_positive, inverse_operational_space_inertia};
+pub use crate::not_asked_of_chain as not_asked;
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
 pub use checks::{
@@ -30,7 +31,7 @@ pub use checks::{
 };
 pub use columns::{MotorColumns, columns, columns_of_part, input_columns};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
-pub use not_asked::NotAsked;
+pub use not_asked::{AsksJacobianOfBody, NotAsked, Unanswered};
 pub use packs::{lane, pack};
 pub use regressor::{regressor_of_bodies, regressor_of_elements};
 

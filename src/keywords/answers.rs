@@ -106,7 +106,7 @@ pub enum inverse_dynamics {}
 ///
 /// | method of the chain | result |
 /// |---|---|
-/// | `foot_jacobian(&state, &inputs, &place)`, for each body `foot` at a free end | J of the point at `place`, a vector in m from the input of the body in the body frame, such as a tool. It is computed without the kinematics of other bodies: for the Panda it costs a third of `kinematics` with `jacobian()`. Not with `repeat`, not for closed chains. Its name depends on the description, so without the word `jacobian` the compiler only reports that there is no such method |
+/// | `foot_jacobian(&state, &inputs, &place)`, for each body `foot` at a free end | J of the point at `place`, a vector in m from the input of the body in the body frame, such as a tool. It is computed without the kinematics of other bodies: for the Panda it costs a third of `kinematics` with `jacobian()`. Not with `repeat`, not for closed chains |
 /// | `inverse_operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | J M⁻¹ Jᵀ for a point of the kinematics, with the rows of J |
 /// | `operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | Λ = (J M⁻¹ Jᵀ)⁻¹. `Error::SingularMatrix` if the point cannot move in every direction, as that of an arm with fewer than six joints. The inertia against a force only is the inverse of the upper left block of J M⁻¹ Jᵀ, by [`linear::solve_positive_definite`](crate::linear::solve_positive_definite) |
 /// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G: rates v with G v = 0 keep the chain closed if moving ends and prescribed motions are at rest, and [`linear::null_space`](crate::linear::null_space) is a basis of them |
@@ -268,10 +268,10 @@ pub enum momentum {}
 
 /// `answers = pull;`: the accelerations and the gradient of a weighted sum of them, in O(n) operations (reverse mode).
 ///
-/// `pull_into(&state, &inputs, &weights, &mut accelerations, &mut gradient)` computes the accelerations
-/// and the gradient of the scalar `weights` · v̇ with respect to coordinates, rates, inputs and
-/// parameters, a `NameVariation`. The number of inputs and parameters does not change the order of the
-/// cost.
+/// `pull(&state, &inputs, &weights)` returns the accelerations and the gradient of the scalar
+/// `weights` · v̇ with respect to coordinates, rates, inputs and parameters, a `NameVariation`. The number
+/// of inputs and parameters does not change the order of the cost. `pull_into(…, &mut accelerations,
+/// &mut gradient)` writes both to the caller's storage.
 ///
 /// Other tools and textbooks: `VJP`, `adjoint`, `backpropagation`, `gradient`.
 ///
@@ -286,10 +286,10 @@ pub enum pull {}
 
 /// `answers = push;`: the accelerations and their derivative along a direction, in O(n) operations (forward mode).
 ///
-/// `push_into(&state, &inputs, &direction, &mut accelerations, &mut change)` computes the accelerations
-/// and their derivative along a direction, a `NameVariation` with the changes of coordinates, rates,
-/// inputs and parameters. Its `coordinates` are displacements along the rates: the change of a
-/// quaternion q is ½ q ∘ (0, δ), with δ in the axes of the rates.
+/// `push(&state, &inputs, &direction)` returns the accelerations and their derivative along a direction,
+/// a `NameVariation` with the changes of coordinates, rates, inputs and parameters. Its `coordinates` are
+/// displacements along the rates: the change of a quaternion q is ½ q ∘ (0, δ), with δ in the axes of the
+/// rates. `push_into(…, &mut accelerations, &mut change)` writes both vectors to the caller's storage.
 ///
 /// Other tools and textbooks: `AutoDiffXd`, `JVP`.
 ///

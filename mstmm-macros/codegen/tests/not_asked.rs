@@ -30,8 +30,8 @@ fn functions<'a>(items: &'a [Item], name: &'a str) -> impl Iterator<Item = &'a I
     })
 }
 
-/// Returns the public methods of a chain with these answers.
-fn generated(answers: &str) -> Vec<Method> {
+/// Returns the items of a chain with these answers.
+fn items(answers: &str) -> Vec<Item> {
     let text = format!(
         "pub chain Arm {{
             gravity = [0, 0, -9.81] m/s^2;
@@ -46,10 +46,26 @@ fn generated(answers: &str) -> Vec<Method> {
     );
     let expansion = mstmm_codegen::expand(text.parse().expect("tokens"), &quote!(::mstmm));
     assert!(expansion.errors.is_none(), "{:?}", expansion.errors);
-    let file: syn::File = syn::parse2(expansion.items).expect("items");
-    let functions = functions(&file.items, "Arm");
+    syn::parse2::<syn::File>(expansion.items).expect("items").items
+}
+
+/// Returns the public methods of a chain with these answers.
+fn generated(answers: &str) -> Vec<Method> {
+    let items = items(answers);
+    let functions = functions(&items, "Arm");
     let public = functions.filter(|function| matches!(function.vis, syn::Visibility::Public(_)));
     public.filter(|function| function.sig.receiver().is_some()).map(method).collect()
+}
+
+/// Returns the Jacobians of bodies that a chain with these answers lists as methods that it does not have.
+fn of_bodies(answers: &str) -> Vec<String> {
+    let lists = items(answers).into_iter().filter_map(|item| match item {
+        Item::Macro(call) if call.mac.path.segments.last()?.ident == "not_asked" => {
+            Some(call.mac.tokens.into_iter().map(|token| token.to_string()))
+        }
+        _ => None,
+    });
+    lists.flatten().skip(1).collect()
 }
 
 /// Returns the methods that are not asked for, with the trait that each needs.
@@ -79,18 +95,27 @@ fn camel_case(word: &str) -> String {
 
 #[test]
 fn a_method_that_a_word_adds_is_an_error_without_the_word() {
-    let (always, not_asked) = (generated(""), not_asked());
+    let (always, not_asked, of_bodies) = (generated(""), not_asked(), of_bodies(""));
     let clashes: Vec<_> = always.iter().filter(|method| not_asked.contains_key(method)).collect();
     assert!(clashes.is_empty(), "every chain has {clashes:?}");
     for (word, _) in ANSWER_WORDS {
         let with = generated(&format!("answers = {word};"));
-        // The list cannot have methods that are named for a body of the chain.
-        let is_of_chain = |method: &&Method| !method.0.starts_with("lower_jacobian");
-        let added = with.iter().filter(|method| !always.contains(method));
-        for method in added.filter(is_of_chain) {
-            assert!(not_asked.contains_key(method), "{word} adds {method:?}, which has no error");
+        for method in with.iter().filter(|method| !always.contains(method)) {
+            let is_known = not_asked.contains_key(method) || of_bodies.contains(&method.0);
+            assert!(is_known, "{word} adds {method:?}, which has no error");
         }
     }
+}
+
+#[test]
+fn a_chain_lists_the_jacobians_of_bodies_that_it_lacks() {
+    let names = |bodies: &[&str]| -> Vec<String> {
+        let endings = ["jacobian", "jacobian_into"];
+        bodies.iter().flat_map(|body| endings.map(|end| format!("{body}_{end}"))).collect()
+    };
+    assert_eq!(of_bodies(""), names(&["upper", "lower"]));
+    assert_eq!(of_bodies("answers = kinematics;"), names(&["upper", "lower"]));
+    assert_eq!(of_bodies("answers = jacobian;"), names(&["upper"]));
 }
 
 #[test]

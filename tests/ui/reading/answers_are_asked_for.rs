@@ -51,6 +51,9 @@ fn main() -> Result<(), mstmm::Error> {
     println!("{}", mass[(0, 0)] * bias.norm() + robot.regressor());
     let mut dynamics = [[0.0; 2]; 2];
     robot.linearize_into(&state, &inputs, &mut dynamics)?;
+    robot.push(&state, &inputs, &state.v)?;
+    robot.pull_into(&state, &inputs, &state.v, &mut state.v.clone(), &mut dynamics)?;
+    robot.rod_jacobian(&state, &inputs, &mstmm::nalgebra::Vector3::zeros())?;
 
     let pendulum = Asked::<f64>::new();
     let (state, inputs) = (pendulum.initial_state(), pendulum.no_inputs());
@@ -66,6 +69,7 @@ fn main() -> Result<(), mstmm::Error> {
     let rope = Rope::<f64>::new();
     let (state, inputs) = (rope.initial_state(), rope.no_inputs());
     rope.mass_matrix(&state, &inputs)?;
+    rope.rod_jacobian_into(&state, &inputs, &mstmm::nalgebra::Vector2::zeros(), &mut dynamics)?;
     mstmm::linear::discretize(&rope, &state, &inputs, 0.1)?;
     mstmm::linear::discretize(&closed, &closed.initial_state(), &closed.no_inputs(), 0.1)?;
     Ok(())

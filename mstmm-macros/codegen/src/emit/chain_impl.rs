@@ -6,7 +6,7 @@ use crate::compile::{CompiledFunction, outputs};
 use crate::model::Answer;
 use crate::program::{ArrayRole, Operand, Step};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// Returns the implementation of `Chain`, which integrators use.
 pub fn chain_impl(cx: &EmitContext) -> TokenStream {
@@ -75,18 +75,17 @@ pub fn chain_impl(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the implementation of `Deref`: methods that the description does not ask for are errors that name the word.
+/// Those of bodies are listed, since their names depend on the chain.
 pub fn not_asked(cx: &EmitContext) -> TokenStream {
     let (mstmm, name) = (&cx.mstmm, &cx.names.chain);
-    quote! {
-        #[doc(hidden)]
-        impl<T: #mstmm::Scalar> ::core::ops::Deref for #name<T> {
-            type Target = #mstmm::generated::NotAsked<Self>;
-
-            fn deref(&self) -> &Self::Target {
-                #mstmm::generated::NotAsked::of(self)
-            }
-        }
-    }
+    let has_jacobian = |id| cx.compiled.jacobians.iter().any(|(body, _)| *body == id);
+    let others = cx.chain.physical_bodies().filter(|&id| !has_jacobian(id)).map(|id| {
+        let body = &cx.chain.bodies[id].name;
+        let [by_value, into] =
+            ["_jacobian", "_jacobian_into"].map(|end| format_ident!("{body}{end}"));
+        quote!(#by_value #into)
+    });
+    quote!(#mstmm::generated::not_asked! { #name #(#others)* })
 }
 
 /// The methods that project a closed chain onto its loop constraints.

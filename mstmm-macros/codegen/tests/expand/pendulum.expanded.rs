@@ -454,12 +454,8 @@ impl<T: ::mstmm::Scalar> ::mstmm::GeneratedChain for Pendulum<T> {
         self.energy(state_)
     }
 }
-#[doc(hidden)]
-impl<T: ::mstmm::Scalar> ::core::ops::Deref for Pendulum<T> {
-    type Target = ::mstmm::generated::NotAsked<Self>;
-    fn deref(&self) -> &Self::Target {
-        ::mstmm::generated::NotAsked::of(self)
-    }
+::mstmm::generated::not_asked! {
+    Pendulum rod_jacobian rod_jacobian_into
 }
 /// The state of [`Pendulum`]: coordinates, rates and time.
 ///
