@@ -146,10 +146,20 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
         if let Some((mut inside, extent)) = input.group(delimiter) {
             let expr = number(&mut inside)?;
             if inside.peek_punct(',') {
-                return Err(Error::new(extent.first, "write vectors as `[x, y, z]`"));
+                let message = match expr.kind {
+                    ExprKind::Name(_) => "write several values in square brackets: `[…, …]`",
+                    _ => "write vectors as `[x, y, z]`",
+                };
+                return Err(Error::new(extent.first, message));
             }
             inside.check_empty("an operator or `)`")?;
-            return Ok((ExprSyntax { extent, ..expr }, None));
+            let kind = match (expr.kind, delimiter) {
+                (kind @ ExprKind::Name(_), Delimiter::Parenthesis) => {
+                    ExprKind::Parenthesized(ExprSyntax { kind, extent: expr.extent }.into())
+                }
+                (kind, _) => kind,
+            };
+            return Ok((ExprSyntax { kind, extent }, None));
         }
     }
     if let Some(literal) = input.literal() {

@@ -122,6 +122,12 @@ impl ValueSyntax {
                 kind: ExprKind::Name(word) | ExprKind::Argument(word, _),
                 ..
             }) => format!("`{word}`"),
+            ValueSyntax::Number(ExprSyntax { kind: ExprKind::Parenthesized(inner), .. }) => {
+                match &inner.kind {
+                    ExprKind::Name(word) => format!("`({word})`"),
+                    _ => "a number".into(),
+                }
+            }
             ValueSyntax::Number(_) => "a number".into(),
             ValueSyntax::Vector(_) => "a vector".into(),
             ValueSyntax::Turned(..) => "a rotated frame".into(),
@@ -254,6 +260,8 @@ pub enum ExprKind {
     Number(f64),
     /// A single identifier.
     Name(Ident),
+    /// `(a)`: a name in parentheses, which is no keyword.
+    Parenthesized(Box<ExprSyntax>),
     /// A parameter of a part, which is written out: its name and its argument.
     Argument(Ident, Rc<ExprSyntax>),
     /// A number with an error that is reported.

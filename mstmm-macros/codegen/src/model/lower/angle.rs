@@ -74,11 +74,11 @@ fn default_of<'e>(expr: &'e ExprSyntax, parameters: &[KnownParameter<'e>]) -> &'
     default.unwrap_or(expr)
 }
 
-/// Returns the number without its signs.
+/// Returns the number without its signs and without the parentheses of a name.
 fn without_sign(mut expr: &ExprSyntax) -> &ExprSyntax {
     loop {
         expr = match &expr.kind {
-            ExprKind::Negated(inner) => inner,
+            ExprKind::Parenthesized(inner) | ExprKind::Negated(inner) => inner,
             ExprKind::Argument(_, argument) => argument,
             _ => return expr,
         };
@@ -96,9 +96,10 @@ fn uses_pi(expr: &ExprSyntax, parameters: &[KnownParameter]) -> bool {
         ExprKind::Name(_) => parameter(expr, parameters)
             .and_then(|parameter| parameter.default_expr)
             .is_some_and(any),
-        ExprKind::Negated(inner) | ExprKind::Power(inner, _) | ExprKind::Quantity(inner, _) => {
-            any(inner)
-        }
+        ExprKind::Parenthesized(inner)
+        | ExprKind::Negated(inner)
+        | ExprKind::Power(inner, _)
+        | ExprKind::Quantity(inner, _) => any(inner),
         ExprKind::Sum(terms) => terms.iter().any(|term| any(&term.expr)),
         ExprKind::Product(factors) => factors.iter().any(|factor| any(&factor.expr)),
         ExprKind::Call(_, arguments) => arguments.iter().any(any),

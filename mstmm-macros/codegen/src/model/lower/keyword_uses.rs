@@ -187,7 +187,9 @@ impl KeywordSearch<'_> {
                     self.parameters.push(name.clone());
                 }
             }
-            ExprKind::Negated(inner) | ExprKind::Power(inner, _) => self.expr(inner),
+            ExprKind::Parenthesized(inner)
+            | ExprKind::Negated(inner)
+            | ExprKind::Power(inner, _) => self.expr(inner),
             ExprKind::Sum(terms) => terms.iter().for_each(|term| self.expr(&term.expr)),
             ExprKind::Product(factors) => {
                 factors.iter().for_each(|factor| self.expr(&factor.expr));

@@ -118,6 +118,9 @@ impl Context<'_> {
                 // The error is where the parameter is used.
                 Some(Measured { at: expr.extent, unit: None, ..measured })
             }
+            ExprKind::Parenthesized(inner) => {
+                Some(Measured { at: expr.extent, ..self.measure(inner)? })
+            }
             ExprKind::Lost => None,
             ExprKind::Path(path) => {
                 let first = path.clone().into_iter().next();

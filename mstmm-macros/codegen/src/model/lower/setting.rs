@@ -157,6 +157,9 @@ impl<T> Choices<'_, T> {
                 };
                 return context.refuse(unit.extent, message);
             }
+            ExprKind::Parenthesized(_) => {
+                return context.refuse(entry.extent, "a keyword has no parentheses: remove them");
+            }
             _ => return context.refuse(entry.extent, self.missing("a number")),
         };
         let Some(number) = position(&word.to_string()) else {

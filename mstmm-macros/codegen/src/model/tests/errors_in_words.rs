@@ -187,6 +187,27 @@ fn answers_of_other_programs_are_known() {
     expect("push m", "m", "a keyword has no unit: …");
 }
 
+#[test]
+fn keywords_have_no_parentheses() {
+    let of_answers = "a keyword has no parentheses: remove them";
+    for answers in ["(basic)", "((basic))", "[(basic), push]"] {
+        let at = answers.trim_start_matches('[').trim_end_matches(", push]");
+        let chain = format!("answers = {answers}; ground -> pin j -> Rod rod;");
+        expect_rods(&chain, &[(at, of_answers)]);
+    }
+    let several = "write several values in square brackets: `[…, …]`";
+    expect_rods("answers = (basic, push); ground -> pin j -> Rod rod;", &[("(", several)]);
+    expect_rods("results = (z); ground -> pin j -> Rod rod;", &[("(z)", of_answers)]);
+    let method = "expected `riccati` or `transfer`, found `(riccati)`";
+    expect_rods("method = (riccati); ground -> pin j -> Rod rod;", &[("(riccati)", method)]);
+    let input = "`input` cannot be part of a formula: write it as the whole value of a field";
+    expect("torque = input", "torque = (input)", &[("input", input)]);
+    // A number may have them.
+    expect("mass = 2 kg", "mass = (ratio) kg", &[]);
+    expect("mass = 2 kg", "mass = (payload)", &[]);
+    expect("mass = 2 kg", "mass = -((payload)) + 2 kg", &[]);
+}
+
 /// All words that are known from elsewhere lead to words of the language.
 #[test]
 fn answers_that_are_meant_exist() {

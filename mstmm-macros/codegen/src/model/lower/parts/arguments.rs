@@ -85,6 +85,7 @@ fn number_text(expr: &ExprSyntax) -> Option<String> {
         ExprKind::Name(name) => name.to_string(),
         ExprKind::Path(path) => path.to_string().replace(' ', ""),
         ExprKind::Argument(_, inner) => number_text(inner)?,
+        ExprKind::Parenthesized(inner) => format!("({})", number_text(inner)?),
         ExprKind::Negated(inner) => format!("-{}", number_text(inner)?),
         ExprKind::Quantity(inner, unit) => format!("{} {}", number_text(inner)?, unit.text()),
         _ => return None,

@@ -142,6 +142,7 @@ impl Substitution {
                 let argument = self.arguments.get(&name.to_string())?;
                 ExprKind::Argument(name.clone(), argument.clone())
             }
+            ExprKind::Parenthesized(inner) => ExprKind::Parenthesized(boxed(inner)?),
             ExprKind::Negated(inner) => ExprKind::Negated(boxed(inner)?),
             ExprKind::Power(base, power) => ExprKind::Power(boxed(base)?, *power),
             ExprKind::Quantity(inner, unit) => ExprKind::Quantity(boxed(inner)?, unit.clone()),
@@ -203,9 +204,10 @@ impl FormulaSize {
         match &expr.kind {
             ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Path(_) | ExprKind::Lost => leaf,
             ExprKind::Argument(_, inner) => leaf.with(FormulaSize::of(inner)),
-            ExprKind::Negated(inner) | ExprKind::Power(inner, _) | ExprKind::Quantity(inner, _) => {
-                leaf.with(FormulaSize::of(inner))
-            }
+            ExprKind::Parenthesized(inner)
+            | ExprKind::Negated(inner)
+            | ExprKind::Power(inner, _)
+            | ExprKind::Quantity(inner, _) => leaf.with(FormulaSize::of(inner)),
             ExprKind::Sum(terms) => of_all(&mut terms.iter().map(|term| &term.expr)),
             ExprKind::Product(factors) => of_all(&mut factors.iter().map(|factor| &factor.expr)),
             ExprKind::Call(_, arguments) => of_all(&mut arguments.iter()),
