@@ -7,6 +7,7 @@
 mod language {
     mod constants;
     mod frames;
+    mod hidden;
     mod items;
     mod motion;
     mod names;

@@ -8,6 +8,7 @@ mstmm::mstmm_chain! {
             point move = [1, 0.1, 0] m;
             point r#tip = [1, 0.1, 0] m;
             point clone = [1, -0.1, 0] m;
+            point at = [1, -0.2, 0] m;
             point input = [0.5, 0, 0] m;
         }
         ground -> ball joint -> Bar bar;

@@ -22,7 +22,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             };
         }
     });
-    let keywords = keyword_types(keywords, mstmm);
+    let keywords = keyword_types(keywords, types, mstmm);
     quote! {
         #methods
         #[allow(dead_code, non_camel_case_types, clippy::all)]
@@ -35,8 +35,13 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns types that contain a type for each use of a keyword: of all forms without warnings this is
-/// the cheapest for rustc, 3 µs for each use.
-fn keyword_types(uses: &[KeywordUses], mstmm: &TokenStream) -> TokenStream {
+/// the cheapest for rustc, 3 µs for each use. No type of the description has their name.
+fn keyword_types(uses: &[KeywordUses], types: &[Ident], mstmm: &TokenStream) -> TokenStream {
+    let mut name = "Keywords_".to_owned();
+    while types.iter().any(|of_body| *of_body == name) {
+        name.push('_');
+    }
+    let name = Ident::new(&name, Span::call_site());
     let words = |uses: &[&KeywordUses]| uses.iter().flat_map(|uses| uses.words.clone()).collect();
     let (unique, others): (Vec<_>, Vec<_>) =
         uses.iter().partition(|uses| uses.group.has_unique_names());
@@ -44,7 +49,7 @@ fn keyword_types(uses: &[KeywordUses], mstmm: &TokenStream) -> TokenStream {
     let unique = (!unique.is_empty()).then(|| {
         quote! {
             use #mstmm::keywords::unique::*;
-            type Keywords_ = (#(#unique,)*);
+            type #name = (#(#unique,)*);
         }
     });
     let others = others.iter().map(|KeywordUses { group, words }| {
@@ -52,7 +57,7 @@ fn keyword_types(uses: &[KeywordUses], mstmm: &TokenStream) -> TokenStream {
         quote! {
             const _: () = {
                 use #mstmm::keywords::#module::*;
-                type Keywords_ = (#(#words,)*);
+                type #name = (#(#words,)*);
             };
         }
     });

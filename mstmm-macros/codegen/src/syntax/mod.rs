@@ -82,18 +82,31 @@ fn too_deep(tokens: &TokenStream) -> Option<Span> {
 /// The suffixes of the types that a chain generates.
 const TYPES: &[&str] = &["", "State", "Inputs", "Parameters", "Workspace"];
 
-/// The suffixes of further types that a chain with the setting `answers` may generate.
-const ANSWER_TYPES: &[&str] =
-    &["Kinematics", "Variation", "InverseDynamicsDerivatives", "Linearization"];
+/// The suffix of the types of kinematics.
+const KINEMATICS: &str = "Kinematics";
+
+/// The words of the setting `answers` that may generate further types, and the suffixes of these types. Derivatives use
+/// variations only for chains that are not short.
+const ANSWER_TYPES: &[(&str, &[&str])] = &[
+    ("kinematics", &[KINEMATICS]),
+    ("jacobian", &[KINEMATICS]),
+    ("basic", &[KINEMATICS]),
+    ("push", &["Variation"]),
+    ("pull", &["Variation"]),
+    ("derivatives", &["InverseDynamicsDerivatives", "Variation"]),
+    ("linearize", &["Linearization", "Variation"]),
+];
 
 /// Reports generated types with the same name: the types of all chains of one call are in one
 /// module.
 fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     let mut taken: HashMap<String, Ident> = HashMap::new();
     for chain in chains {
-        let suffixes = TYPES.iter().chain(ANSWER_TYPES.iter().filter(|_| asks(chain)));
+        let of_answers = answer_types(chain);
+        let suffixes = TYPES.iter().chain(&of_answers);
         let types = suffixes.map(|suffix| format!("{}{suffix}", chain.name));
-        let types: Vec<String> = types.chain(result_types(chain)).collect();
+        let has_kinematics = of_answers.contains(&KINEMATICS);
+        let types: Vec<String> = types.chain(result_types(chain, has_kinematics)).collect();
         let clash = types.iter().find_map(|name| Some((name, taken.get(name)?)));
         if let Some((name, other)) = clash {
             let message = match *other == chain.name {
@@ -107,19 +120,31 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Returns whether a chain has the setting `answers`.
-fn asks(chain: &ChainSyntax) -> bool {
-    chain.settings.iter().any(|field| field.name == "answers")
+/// Returns the suffixes of the types that the words of a chain's setting `answers` may generate.
+fn answer_types(chain: &ChainSyntax) -> Vec<&'static str> {
+    let settings = chain.settings.iter().filter(|field| field.name == "answers");
+    let entries = settings.flat_map(|field| match &field.value {
+        Some(ValueSyntax::Number(entry)) => std::slice::from_ref(entry),
+        Some(ValueSyntax::Vector(list)) => &list.entries,
+        _ => &[],
+    });
+    let words = entries.filter_map(|entry| match &entry.kind {
+        ExprKind::Name(word) => Some(word),
+        _ => None,
+    });
+    let of_word =
+        words.flat_map(|word| ANSWER_TYPES.iter().filter(move |(known, _)| word == known));
+    of_word.flat_map(|(_, types)| *types).copied().collect()
 }
 
 /// Returns the types of results and of kinematics at bodies with named points.
-fn result_types(chain: &ChainSyntax) -> Vec<String> {
+fn result_types(chain: &ChainSyntax, has_kinematics: bool) -> Vec<String> {
     let parts = chain.parts.iter().map(|part| (part.name.to_string(), &part.content));
     let contents = [(String::new(), &chain.content)].into_iter().chain(parts);
     let types = contents.flat_map(|(part, content)| {
         let bodies = content.blocks.iter().filter(|block| !block.points.is_empty());
         let names = bodies.flat_map(|block| &block.names);
-        let suffixes = ["Result", "Kinematics"].into_iter().take(if asks(chain) { 2 } else { 1 });
+        let suffixes = ["Result", KINEMATICS].into_iter().take(if has_kinematics { 2 } else { 1 });
         names.flat_map(move |name| {
             let start = format!("{}{part}{name}", chain.name);
             suffixes.clone().map(move |suffix| format!("{start}{suffix}"))

@@ -94,8 +94,8 @@ fn outputs_with_a_hinge(draft: &Draft) -> Vec<bool> {
     is_left
 }
 
-/// Methods of the results at a body, which are no names for points.
-const RESERVED: &[&str] = &["clone"];
+/// Methods of what every body has, which are no names for points: the name, and what has the method.
+const RESERVED: &[(&str, &str)] = &[("clone", "results"), ("at", "kinematics")];
 
 /// Reports points with the name of another point of the type, or of a point that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {
@@ -104,8 +104,8 @@ pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics
             let name = point.name;
             let message = if POINTS.iter().any(|known| name == known) {
                 format!("every body has a point `{name}` already: choose another name")
-            } else if RESERVED.iter().any(|known| name == known) {
-                format!("`{name}` is a method of the results at every body and cannot be a name")
+            } else if let Some((_, of)) = RESERVED.iter().find(|(known, _)| name == known) {
+                format!("`{name}` is a method of the {of} of every body and cannot be a name")
             } else if body.points[..index].iter().any(|other| other.name == name) {
                 format!("body `{}` has two points `{name}`", body.name)
             } else {

@@ -17,6 +17,11 @@ const RESERVED: &[&str] = &[
     "t",
     "time",
     "set_time",
+    "coordinates",
+    "coordinates_mut",
+    "rates",
+    "rates_mut",
+    "zero_position",
     "clone",
     "default",
     "new",
@@ -42,6 +47,9 @@ const RESERVED: &[&str] = &[
     "PLACES_",
     "RUNS_",
 ];
+
+/// Names of parameters whose setters would hide other methods: every chain has `set_parameter`.
+const PARAMETERS: &[&str] = &["parameter"];
 
 /// Fields that the inputs of a chain may have.
 const INPUTS: &[&str] = &["gravity"];
@@ -216,16 +224,22 @@ pub(super) fn load_inputs_have_unique_names(draft: &Draft, diagnostics: &mut Dia
     }
 }
 
-/// Reports names of hinges, bodies and parameters that are methods of every chain.
+/// Reports names of hinges, bodies and parameters that are methods of every chain or state.
 pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let mut refuse = |name: &Ident| {
+        let message = format!("`{name}` is reserved for the generated types and cannot be a name");
+        diagnostics.name(name, message);
+    };
+    let parameters = draft.def.parameters.iter().map(|def| &def.field.name);
+    parameters.filter(|name| PARAMETERS.iter().any(|known| name == known)).for_each(&mut refuse);
+    for used in names(draft) {
+        let mut methods = used.methods().chain([used.name.joined.to_string()]);
+        if methods.any(|method| RESERVED.contains(&&*method)) {
+            refuse(&used.name.joined);
+        }
+    }
     for used in names(draft) {
         let text = used.name.joined.to_string();
-        let mut methods = used.methods().chain([text.clone()]);
-        if methods.any(|method| RESERVED.contains(&&*method)) {
-            let message =
-                format!("`{text}` is reserved for the generated types and cannot be a name");
-            diagnostics.name(&used.name.joined, message);
-        }
         if INPUTS.contains(&&*text) {
             let message = format!("`{text}` is an input of chains and cannot be a name");
             diagnostics.name(&used.name.joined, message);

@@ -113,6 +113,10 @@ fn chains_have_types_of_their_own() {
     let asking = chain("A").replace("{ body", "{ answers = basic; body");
     let message = "chains `A` and `AKinematics` both have a type `AKinematics`";
     expect_all(&[asking, chain("AKinematics")].concat(), &[("AKinematics", message)]);
+    let asking = chain("A").replace("{ body", "{ answers = [mass_matrix, push]; body");
+    let message = "chains `A` and `AVariation` both have a type `AVariation`";
+    expect_all(&[&asking, &*chain("AVariation")].concat(), &[("AVariation", message)]);
+    expect_all(&[&asking, &*chain("AKinematics"), &chain("ALinearization")].concat(), &[]);
     expect_all(&[chain("A"), chain("AKinematics")].concat(), &[]);
     expect_all(&[chain("A"), chain("B")].concat(), &[]);
 }
