@@ -58,7 +58,8 @@ impl fmt::Display for Origin {
             Origin::End => return f.write_str("the end time is not finite"),
             Origin::Result => {
                 return f.write_str(
-                    "a result overflows: a value of the state, the inputs or the step is too large",
+                    "a result overflows: a value of the state, the inputs, the step or another argument is too \
+                     large",
                 );
             }
             Origin::Argument { name, index } => {

@@ -23,7 +23,7 @@ fn errors_have_these_texts() {
         (Origin::End, "the end time is not finite"),
         (
             Origin::Result,
-            "a result overflows: a value of the state, the inputs or the step is too large",
+            "a result overflows: a value of the state, the inputs, the step or another argument is too large",
         ),
     ] {
         assert_eq!(text(Error::NotFinite(origin)), expected);

@@ -7,11 +7,14 @@
 //! discrete-time algebraic Riccati equations*, Int. J. Control 77, 2004). Its k-th iterate is the cost over 2ᵏ steps.
 //! One step of Newton's method (Hewer 1971) follows: the cost of the gain found is summed over all time, by doubling
 //! too. It removes the rounding errors of the first part. The sum converges only if the closed loop is stable.
+//!
+//! Q and R are divided by a common power of two first, which the gain does not depend on, so that the largest entry is near
+//! one; the cost is multiplied by it at the end. Both are exact.
 
 use super::product::{add_product, product, transposed};
 use super::solve::solve_both;
 use super::{Columns, largest, solve_positive_definite};
-use crate::origin;
+use crate::origin::{self, Origin};
 use crate::{Error, Mask, Scalar};
 use nalgebra::SMatrix;
 
@@ -39,8 +42,8 @@ pub struct Lqr<T, const X: usize, const U: usize> {
 /// About twenty of each are needed if the slowest motion of the closed loop decays in 10⁵ steps.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] for `r` if R is not positive definite, [`Error::NotFinite`] if a matrix is not finite,
-/// and [`Error::NotStabilizable`] if no gain was found that makes A − B K stable, in any lane. The gain is not found if
+/// [`Error::InvalidParameter`] for `r` if R is not positive definite, [`Error::NotFinite`] if a matrix is not finite or
+/// the cost or B R⁻¹ Bᵀ Q overflows, and [`Error::NotStabilizable`] if no gain was found that makes A − B K stable, in any lane. The gain is not found if
 /// a motion that does not decay without control is not changed by the inputs, or has no weight in Q.
 #[doc(alias("dlqr", "DARE", "LinearQuadraticRegulator", "optimal control", "solve_discrete_are"))]
 #[doc(alias("discrete Riccati equation"))]
@@ -56,36 +59,82 @@ pub fn lqr<T: Scalar, const X: usize, const U: usize>(
     check_finite("q", q)?;
     check_finite("r", r)?;
     let (a, b) = (&a.data.0, &b.data.0);
-    let (mut q, mut r) = (q.data.0, r.data.0);
+    let (mut q, given_r) = (q.data.0, r);
+    let mut r = r.data.0;
+    let largest = largest(q.as_flattened().iter().chain(r.as_flattened()));
+    let [inverse, scale] = power_of_two(largest);
+    scale_by(&mut q, inverse);
+    scale_by(&mut r, inverse);
     make_symmetric(&mut q);
     make_symmetric(&mut r);
-    let problem = Problem { a, b, q, r };
+    let problem = Problem { a, b, q, r, given_r };
     let gain = problem.gain(&problem.cost_by_doubling()?)?;
-    let cost = problem.cost_of(&gain)?;
+    let mut cost = problem.cost_of(&gain)?;
     let gain = problem.gain(&cost)?;
+    scale_by(&mut cost, scale);
+    if !are_finite(&cost) {
+        return Err(Error::NotFinite(Origin::Result));
+    }
     Ok(Lqr { gain: gain.into(), cost: cost.into() })
 }
 
-/// The matrices of a regulator.
+/// Returns 2⁻ᵏ and 2ᵏ with `value` · 2⁻ᵏ between 1/16 and 16, in each lane, if the scalar has both powers; 1 and 1 for
+/// zero.
+fn power_of_two<T: Scalar>(value: T) -> [T; 2] {
+    let one = T::constant(1.0);
+    let (mut rest, mut inverse, mut power) = (value, one, one);
+    let is_zero = !value.simd_gt(T::constant(0.0));
+    for exponent in [512, 256, 128, 64, 32, 16, 8, 4] {
+        let [large, small] = [1023 + exponent, 1023 - exponent]
+            .map(|biased: u64| T::constant(f64::from_bits(biased << 52)));
+        // In `f32` the larger powers are infinite.
+        let exists = large.is_finite();
+        for (applies, down, up) in [
+            (exists & !large.simd_gt(rest), small, large),
+            (exists & !is_zero & small.simd_gt(rest), large, small),
+        ] {
+            rest = T::select(applies, rest * down, rest);
+            inverse = T::select(applies, inverse * down, inverse);
+            power = T::select(applies, power * up, power);
+        }
+    }
+    [inverse, power]
+}
+
+fn scale_by<T: Scalar, const R: usize, const C: usize>(matrix: &mut Columns<T, R, C>, factor: T) {
+    matrix.as_flattened_mut().iter_mut().for_each(|entry| *entry *= factor);
+}
+
+/// Returns whether all entries are finite, in all lanes.
+fn are_finite<T: Scalar, const R: usize, const C: usize>(matrix: &Columns<T, R, C>) -> bool {
+    let entries = matrix.as_flattened().iter();
+    entries.fold(<T::Mask as Mask>::splat(true), |all, x| all & x.is_finite()).all()
+}
+
+/// The matrices of a regulator, with Q and R divided by a common factor.
 struct Problem<'a, T, const X: usize, const U: usize> {
     a: &'a Columns<T, X, X>,
     b: &'a Columns<T, X, U>,
     q: Columns<T, X, X>,
     r: Columns<T, U, U>,
+    /// R before it is scaled.
+    given_r: &'a SMatrix<T, U, U>,
 }
 
 impl<T: Scalar, const X: usize, const U: usize> Problem<'_, T, X, U> {
     /// Returns the least cost, by doubling: A ← A W A, G ← G + A W G Aᵀ, H ← H + Aᵀ H W A, with W = (1 + G H)⁻¹, from
     /// G = B R⁻¹ Bᵀ and H = Q.
     fn cost_by_doubling(&self) -> Result<Columns<T, X, X>, Error> {
-        let refused = Error::InvalidParameter { name: "r", reason: "must be positive definite" };
         let scaled = solve_positive_definite(&self.r.into(), &transposed(self.b).into());
-        let mut g = product(self.b, &scaled.map_err(|_| refused)?.data.0);
+        let mut g = product(self.b, &scaled.map_err(|_| self.r_is_refused())?.data.0);
         make_symmetric(&mut g);
         let (mut a, mut h) = (*self.a, self.q);
-        for _ in 0..DOUBLINGS {
+        for doubling in 0..DOUBLINGS {
             let mut w = unit();
             add_product(&mut w, &g, &h);
+            if doubling == 0 && !are_finite(&w) {
+                return Err(Error::NotFinite(Origin::Result));
+            }
             let (wa, wg) = solve_both(&w, &a, &g).map_err(|_| Error::NotStabilizable)?;
             let left = transposed(&a);
             let change = product(&left, &product(&h, &wa));
@@ -99,6 +148,19 @@ impl<T: Scalar, const X: usize, const U: usize> Problem<'_, T, X, U> {
             }
         }
         Err(Error::NotStabilizable)
+    }
+
+    /// Returns the error for an R of which elimination fails: it is not positive definite, or so much smaller than Q
+    /// that it is lost.
+    fn r_is_refused(&self) -> Error {
+        let mut r = self.given_r.data.0;
+        let [inverse, _] = power_of_two(largest(r.as_flattened()));
+        scale_by(&mut r, inverse);
+        make_symmetric(&mut r);
+        match solve_positive_definite(&r.into(), &transposed(self.b).into()) {
+            Ok(_) => Error::NotFinite(Origin::Result),
+            Err(_) => Error::InvalidParameter { name: "r", reason: "must be positive definite" },
+        }
     }
 
     /// Returns (R + Bᵀ P B)⁻¹ Bᵀ P A, the gain that is the best with the cost P from the next step on.
@@ -158,13 +220,11 @@ fn make_symmetric<T: Scalar, const N: usize>(matrix: &mut Columns<T, N, N>) {
 /// # Errors
 /// [`Error::NotStabilizable`] if an entry is not finite.
 fn has_decayed<T: Scalar, const N: usize>(matrix: &Columns<T, N, N>) -> Result<bool, Error> {
-    let entries = matrix.as_flattened();
-    let finite: T::Mask = entries.iter().fold(Mask::splat(true), |all, x| all & x.is_finite());
-    if !finite.all() {
+    if !are_finite(matrix) {
         return Err(Error::NotStabilizable);
     }
     // An upper bound of the largest singular value.
-    let norm = T::constant(N as f64) * largest(entries);
+    let norm = T::constant(N as f64) * largest(matrix.as_flattened());
     Ok(T::epsilon().simd_gt(norm * norm).all())
 }
 

@@ -213,6 +213,61 @@ fn what_cannot_be_stabilized_is_an_error() {
     assert_eq!(refused(decaying, Vector2::zeros(), Matrix2::zeros()), None);
 }
 
+/// The gain does not depend on the size of the weights, to the last bit where the size is a power of two.
+#[test]
+fn weights_may_have_any_size() -> Result<(), Error> {
+    for seed in 0..20 {
+        let problem = Problem::<4, 2>::random(seed, 1.5);
+        let expected = problem.lqr()?;
+        let sizes =
+            [1e-200, 1e-150, 1e-9, 1e7, 1e150, 1e200, 1e300, 2f64.powi(-600), 2f64.powi(900)];
+        for size in sizes {
+            let Problem { a, b, q, r } = &problem;
+            let found = lqr(a, b, &(q * size), &(r * size))?;
+            // A rounding of each weight changes the gain by about a rounding; that of a power of two is exact.
+            let tolerance = if size.log2().fract() == 0.0 { 0.0 } else { 1e-12 };
+            let off = (found.gain - expected.gain).abs().max() / expected.gain.abs().max();
+            assert!(off <= tolerance, "seed {seed}, {size:e}: {off:e}");
+            let off = (found.cost / size - expected.cost).abs().max() / expected.cost.abs().max();
+            assert!(off <= tolerance, "seed {seed}, {size:e}: {off:e}");
+            // Up to 1e±30 in single precision.
+            let size = size.powf(0.1);
+            let single = lqr::<f32, 4, 2>(
+                &converted(a),
+                &converted(b),
+                &converted(&(q * size)),
+                &converted(&(r * size)),
+            )?;
+            let off = (single.gain.map(f64::from) - expected.gain).abs().max();
+            assert!(off < 1e-4 * expected.gain.abs().max(), "seed {seed}, {size:e}: {off:e}");
+        }
+    }
+    Ok(())
+}
+
+/// Weights at the ends of the range: what overflows is reported as such.
+#[test]
+fn weights_that_overflow_are_not_reported_as_not_stabilizable() -> Result<(), Error> {
+    let (a, b) = (Matrix1::new(2.0), Matrix1::new(1.0));
+    let of = |q: f64, r: f64| lqr(&a, &b, &Matrix1::new(q), &Matrix1::new(r));
+    let gain = of(1.0, 1.0)?.gain;
+    // Q + Qᵀ is not a number of `f64`.
+    let decaying = Matrix1::new(0.5);
+    let of_decaying = |size: f64| lqr(&decaying, &b, &Matrix1::new(size), &Matrix1::new(size));
+    let (found, expected) = (of_decaying(2f64.powi(1023))?, of_decaying(1.0)?);
+    assert_eq!((found.gain, found.cost), (expected.gain, expected.cost * 2f64.powi(1023)));
+    // A small R hardly counts: the first step takes the state to zero.
+    assert!((of(1e300, 1.0)?.gain.x - 2.0).abs() < 1e-15 && gain.x < 2.0);
+    assert!((of(1.0, 1e-300)?.gain.x - 2.0).abs() < 1e-15);
+    let overflows = Some(Error::NotFinite(Origin::Result));
+    // The cost is 1.6e308 · 5.
+    assert_eq!(of(1.6e308, 1.6e308).err(), overflows);
+    // R is zero in comparison with Q, or B R⁻¹ Bᵀ Q is infinite.
+    assert_eq!(of(1e300, 1e-300).err(), overflows);
+    assert_eq!(of(1.0, 1e-310).err(), overflows);
+    Ok(())
+}
+
 #[test]
 fn weights_and_matrices_are_checked() {
     let (a, b, q) = (Matrix2::identity(), Vector2::new(1.0, 2.0), Matrix2::identity());
