@@ -67,6 +67,8 @@ pub struct Run {
     pub stack: u32,
     /// The bits of the coordinates and rates at the end of the motion.
     pub end: Vec<u64>,
+    /// The bits of the results of the motion.
+    pub results: Vec<u64>,
     /// The hash of the bits of all states of the motion.
     pub hash: u64,
 }
@@ -125,9 +127,10 @@ impl Report {
     }
 
     fn words(&self, name: &str) -> Result<Vec<u64>> {
-        let line = self.0.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
-        let Some(line) = line else { bail!("there is no {name} in {:?}", self.0) };
-        line.split_whitespace().map(|word| Ok(u64::from_str_radix(word, 16)?)).collect()
+        let mut lines = self.0.lines().map(str::split_whitespace);
+        let words = lines.find_map(|mut words| (words.next()? == name).then_some(words));
+        let Some(words) = words else { bail!("there is no {name} in {:?}", self.0) };
+        words.map(|word| Ok(u64::from_str_radix(word, 16)?)).collect()
     }
 
     fn end(&self) -> Result<Vec<u64>> {
@@ -146,6 +149,7 @@ impl Report {
             most_of_bad: instructions(bad),
             stack: stack.try_into()?,
             end: self.end()?,
+            results: self.words("results")?,
             hash,
         })
     }
@@ -192,13 +196,13 @@ mod tests {
 
     #[test]
     fn a_report_without_a_line_is_none() {
-        let report =
-            "ticks 00000040 00000080 00000046\nstack 00000010\nq 3f800000\nv 00000000\nhash 00ff\n";
+        let report = "ticks 00000040 00000080 00000046\nstack 00000010\nq 3f800000\nv 00000000\nresults 40000000\nhash 00ff\n";
         let run = Report(report.into()).run().expect("all lines are there");
         assert_eq!((run.fewest, run.most, run.most_of_bad), (10, 20, 11));
         assert_eq!((run.stack, run.hash), (16, 255));
         assert_eq!(run.end, [0x3f80_0000, 0]);
-        for missing in 0..5 {
+        assert_eq!(run.results, [0x4000_0000]);
+        for missing in 0..6 {
             let lines = report.lines().enumerate().filter(|&(line, _)| line != missing);
             let rest: Vec<_> = lines.map(|(_, line)| line).collect();
             assert!(Report(rest.join("\n")).run().is_err());

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use models::{Arm, BallPendulum, ComputedTorque, LinearArm, Model, Satellite};
+use models::{Arm, BallPendulum, ComputedTorque, InverseDynamics, LinearArm, Model, Satellite};
 
 /// A chain in a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,7 @@ enum Chain {
     Ball,
     Arm,
     Satellite,
+    InverseDynamics,
     ComputedTorque,
     LinearArm,
 }
@@ -25,6 +26,24 @@ enum Chain {
 pub enum Precision {
     Single,
     Double,
+}
+
+impl Precision {
+    /// Returns the number with these bits.
+    pub fn number(self, bits: u64) -> f64 {
+        match self {
+            Self::Single => f32::from_bits(bits as u32).into(),
+            Self::Double => f64::from_bits(bits),
+        }
+    }
+
+    /// Returns the largest relative error of a rounding.
+    pub fn rounding(self) -> f64 {
+        match self {
+            Self::Single => f64::from(f32::EPSILON) / 2.0,
+            Self::Double => f64::EPSILON / 2.0,
+        }
+    }
 }
 
 /// The budgets of a step.
@@ -43,13 +62,15 @@ pub trait Visitor {
 }
 
 impl Case {
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self { chain: Chain::Ball, precision: Precision::Single },
         Self { chain: Chain::Ball, precision: Precision::Double },
         Self { chain: Chain::Arm, precision: Precision::Single },
         Self { chain: Chain::Arm, precision: Precision::Double },
         Self { chain: Chain::Satellite, precision: Precision::Single },
         Self { chain: Chain::Satellite, precision: Precision::Double },
+        Self { chain: Chain::InverseDynamics, precision: Precision::Single },
+        Self { chain: Chain::InverseDynamics, precision: Precision::Double },
         Self { chain: Chain::ComputedTorque, precision: Precision::Single },
         Self { chain: Chain::ComputedTorque, precision: Precision::Double },
         Self { chain: Chain::LinearArm, precision: Precision::Single },
@@ -65,11 +86,18 @@ impl Case {
             (Chain::Arm, Precision::Double) => "arm_f64",
             (Chain::Satellite, Precision::Single) => "satellite_f32",
             (Chain::Satellite, Precision::Double) => "satellite_f64",
+            (Chain::InverseDynamics, Precision::Single) => "inverse_dynamics_f32",
             (Chain::ComputedTorque, Precision::Single) => "computed_torque_f32",
+            (Chain::InverseDynamics, Precision::Double) => "inverse_dynamics_f64",
             (Chain::ComputedTorque, Precision::Double) => "computed_torque_f64",
             (Chain::LinearArm, Precision::Single) => "linear_arm_f32",
             (Chain::LinearArm, Precision::Double) => "linear_arm_f64",
         }
+    }
+
+    /// Returns whether the results are those of an estimate of the payload.
+    pub fn estimates(self) -> bool {
+        self.chain == Chain::ComputedTorque
     }
 
     /// Returns the case of an image.
@@ -89,8 +117,11 @@ impl Case {
             (Chain::Satellite, Precision::Single) => {
                 Some(Budget { instructions: 40_000, stack: 2048, code: None })
             }
-            (Chain::ComputedTorque, Precision::Single) => {
+            (Chain::InverseDynamics, Precision::Single) => {
                 Some(Budget { instructions: 2_000, stack: 1024, code: None })
+            }
+            (Chain::ComputedTorque, Precision::Single) => {
+                Some(Budget { instructions: 25_000, stack: 3072, code: None })
             }
             (Chain::LinearArm, Precision::Single) => {
                 Some(Budget { instructions: 15_000, stack: 4608, code: None })
@@ -108,7 +139,9 @@ impl Case {
             (Chain::Arm, Precision::Double) => visitor.visit::<Arm<f64>>(),
             (Chain::Satellite, Precision::Single) => visitor.visit::<Satellite<f32>>(),
             (Chain::Satellite, Precision::Double) => visitor.visit::<Satellite<f64>>(),
+            (Chain::InverseDynamics, Precision::Single) => visitor.visit::<InverseDynamics<f32>>(),
             (Chain::ComputedTorque, Precision::Single) => visitor.visit::<ComputedTorque<f32>>(),
+            (Chain::InverseDynamics, Precision::Double) => visitor.visit::<InverseDynamics<f64>>(),
             (Chain::ComputedTorque, Precision::Double) => visitor.visit::<ComputedTorque<f64>>(),
             (Chain::LinearArm, Precision::Single) => visitor.visit::<LinearArm<f32>>(),
             (Chain::LinearArm, Precision::Double) => visitor.visit::<LinearArm<f64>>(),

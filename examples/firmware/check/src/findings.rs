@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail};
 use crate::board::{InterruptRun, Processor};
 use crate::case::{Case, Precision};
 use crate::host::Motion;
+use crate::payload::Payload;
 use crate::table::{self, Row, Table};
 
 /// Parts of the names of functions that allocate.
@@ -17,9 +18,9 @@ const ALLOCATIONS: [&str; 4] = ["__rust_alloc", "__rust_dealloc", "malloc", "all
 /// memory.
 const MOST_DATA: u64 = 64;
 
-/// The most instructions that a failed step searches for the value that is not finite: about five for each value of
-/// the state and the inputs, of which a case has up to 30.
-const MOST_SEARCH: u32 = 200;
+/// The most instructions that a failed step searches for the value that is not finite: about eight for each value of
+/// the state, the inputs and the accelerations, of which a case has up to 30.
+const MOST_SEARCH: u32 = 250;
 
 /// Parts of the names of functions that emulate double precision by integers.
 const SOFT_DOUBLES: [&str; 3] = ["__aeabi_d", "__aeabi_f2d", "df3"];
@@ -72,7 +73,8 @@ impl Findings {
         }
 
         let Some(run) = run else { return };
-        self.require(run.end == host.end && run.hash == host.hash, || {
+        let is_same = run.end == host.end && run.hash == host.hash && run.results == host.results;
+        self.require(is_same, || {
             format!("{name}: other bits than on this machine, hash {:016x}", run.hash)
         });
         self.require(run.stack <= image.stack, || {
@@ -86,6 +88,14 @@ impl Findings {
         self.require(by_whole_numbers || run.most_of_bad <= run.most + MOST_SEARCH, || {
             format!("{name}: {} instructions from a bad state", run.most_of_bad)
         });
+    }
+
+    /// Compares the estimate of a payload with the true one, on this machine and with the same bits on the boards.
+    pub fn of_payload(&mut self, case: Case, payload: &Payload) {
+        self.require(payload.is_found(), || format!("{case}: {payload}"));
+        let [before, after] = payload.errors;
+        // The controller holds its torques for a period, which leaves a smaller error.
+        self.require(after < before / 100.0, || format!("{case}: {payload}"));
     }
 
     /// Compares the arm in an interrupt with the same steps on this machine.

@@ -12,6 +12,8 @@ use crate::case::{Case, Visitor};
 pub struct Motion {
     /// The bits of the coordinates and rates at its end.
     pub end: Vec<u64>,
+    /// The bits of its results.
+    pub results: Vec<u64>,
     /// The hash of the bits of all its states.
     pub hash: u64,
     shown: String,
@@ -44,13 +46,17 @@ impl Visitor for Simulation {
         let (model, mut work) = (M::new(), M::work());
         let (mut state, mut hash) = (model.start(), Hash::default());
         for _ in 0..self.steps {
-            model.step(&mut work, &mut state).expect("the motions are regular everywhere");
+            let advanced = model.advance(&mut work, &mut state);
+            advanced
+                .and_then(|()| model.step(&mut work, &mut state))
+                .expect("the motions are regular everywhere");
             hash.add_state(&state);
             M::add_results(&work, &mut hash);
         }
         let numbers = state.coordinates().iter().chain(state.rates());
         Motion {
             end: numbers.map(|number| number.bits()).collect(),
+            results: M::results(&work).into_iter().map(Number::bits).collect(),
             hash: hash.value(),
             shown: format!("q = {:?}, v = {:?}", state.coordinates(), state.rates()),
         }

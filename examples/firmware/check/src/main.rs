@@ -8,6 +8,7 @@ mod case;
 mod findings;
 mod host;
 mod image;
+mod payload;
 mod steps;
 mod table;
 mod thumb;
@@ -17,6 +18,7 @@ use anyhow::{Context, Result, bail, ensure};
 use crate::board::Processor;
 use crate::case::Case;
 use crate::findings::Findings;
+use crate::payload::Payload;
 use crate::table::{Row, Table};
 
 fn main() -> Result<()> {
@@ -47,6 +49,11 @@ fn check(bless: bool) -> Result<()> {
     for case in Case::ALL {
         let host = host::simulate(case);
         println!("\n{case}: {host}");
+        if case.estimates() {
+            let payload = Payload::read(&host.results, case.precision)?;
+            println!("  {payload}");
+            findings.of_payload(case, &payload);
+        }
         for processor in Processor::ALL {
             let path = build::image(case.name(), processor)?;
             let image = image::read(&path)?;

@@ -25,6 +25,7 @@ impl Visitor for Steps {
         let (model, mut work, mut random) = (M::new(), M::work(), Random::new(SEED));
         for _ in 0..STATES {
             let mut state = model.random_state(&mut random);
+            model.advance(&mut work, &mut state)?;
             counted_step(black_box(&model), &mut work, black_box(&mut state))?;
         }
         Ok(())

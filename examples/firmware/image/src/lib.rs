@@ -48,6 +48,7 @@ fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
     let (mut fewest, mut most, mut deepest) = (u32::MAX, 0, 0);
     for _ in 0..RANDOM_STATES {
         let mut state = model.random_state(&mut random);
+        model.advance(&mut work, &mut state)?;
         let mut other = state.clone();
         let (ticks, result) = board.ticks(|| step(&model, &mut work, &mut state));
         result?;
@@ -59,6 +60,7 @@ fn measure<M: Model>(report: &mut Report) -> Result<(), Error> {
     // Many of these steps return an error; their time is measured as well.
     let mut longest = 0;
     model.for_each_bad_state(|mut state| {
+        let _ = model.advance(&mut work, &mut state);
         let (ticks, _) = board.ticks(|| step(&model, &mut work, &mut state));
         longest = longest.max(ticks);
     });
@@ -74,12 +76,14 @@ fn simulate<M: Model>(report: &mut Report) -> Result<(), Error> {
     let (model, mut work) = (M::new(), M::work());
     let (mut state, mut hash) = (model.start(), Hash::default());
     for _ in 0..MOTION_STEPS {
+        model.advance(&mut work, &mut state)?;
         step(&model, &mut work, &mut state)?;
         hash.add_state(&state);
         M::add_results(&work, &mut hash);
     }
-    report.numbers("q", state.coordinates());
-    report.numbers("v", state.rates());
+    report.numbers("q", state.coordinates().iter().copied());
+    report.numbers("v", state.rates().iter().copied());
+    report.numbers("results", M::results(&work));
     report.bits("hash", hash.value());
     Ok(())
 }

@@ -36,9 +36,9 @@ impl Report {
     }
 
     /// Writes a name and the bits of some numbers.
-    pub fn numbers<T: Number>(&mut self, name: &str, numbers: &[T]) {
+    pub fn numbers<T: Number>(&mut self, name: &str, numbers: impl IntoIterator<Item = T>) {
         self.text(name);
-        numbers.iter().for_each(|number| self.word(number.bits(), 2 * size_of::<T>()));
+        numbers.into_iter().for_each(|number| self.word(number.bits(), 2 * size_of::<T>()));
         self.text("\n");
     }
 

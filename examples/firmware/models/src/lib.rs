@@ -3,15 +3,19 @@
 
 mod arm;
 mod computed_torque;
+mod inverse_dynamics;
 mod linear_arm;
 mod number;
+#[path = "../../../payload_control.rs"]
+mod payload_control;
 mod pendulum;
 mod satellite;
 
 pub use arm::{Arm, ArmState};
-pub use computed_torque::ComputedTorque;
+pub use inverse_dynamics::InverseDynamics;
 pub use linear_arm::LinearArm;
 pub use number::{Hash, Number, Random};
+pub use payload_control::{Arm as ComputedTorque, PRIOR_DEVIATIONS, TORQUE_DEVIATION};
 pub use pendulum::{BallPendulum, BallPendulumState};
 pub use satellite::{Satellite, SatelliteState};
 
@@ -28,6 +32,11 @@ pub const MOTION_STEPS: usize = 10_000;
 
 /// The number of steps in a timer's interrupt after which the state is compared.
 pub const INTERRUPT_STEPS: u32 = 1000;
+
+/// The payload of the arm in the case `computed_torque`, in kg, which its controller does not know, and its height in the
+/// hand in m.
+pub const PAYLOAD: f64 = 2.0;
+pub const PAYLOAD_HEIGHT: f64 = 0.1;
 
 /// A chain with its controller and step.
 pub trait Model: Chain<Scalar: Number> + Sized {
@@ -78,11 +87,21 @@ pub trait Model: Chain<Scalar: Number> + Sized {
     /// Returns what the first step needs.
     fn work() -> Self::Work;
 
+    /// Moves what the steps control, before each step; not part of the step.
+    fn advance(&self, _: &mut Self::Work, _: &mut Self::State) -> Result<(), Error> {
+        Ok(())
+    }
+
     /// Takes one step, as a timer's interrupt does.
     fn step(&self, work: &mut Self::Work, state: &mut Self::State) -> Result<(), Error>;
 
     /// Adds the results of a step to a hash, apart from the state.
     fn add_results(_: &Self::Work, _: &mut Hash) {}
+
+    /// Returns the results of a motion, apart from the state at its end.
+    fn results(_: &Self::Work) -> impl IntoIterator<Item = Self::Scalar> {
+        []
+    }
 }
 
 /// The length of all steps in s.

@@ -1,4 +1,4 @@
-//! The computed torques of the arm in single precision.
+//! Computed torque of the arm with an estimate of its payload in single precision.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! The computed torques of the arm in double precision.
+//! Computed torque of the arm with an estimate of its payload in double precision.
 #![no_std]
 #![no_main]
 

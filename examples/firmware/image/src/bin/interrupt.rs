@@ -73,8 +73,8 @@ fn main() -> ! {
     let state = free(|token| STATE.borrow(token).take());
     match state {
         Some(state) if !FAILED.load(Ordering::Relaxed) => {
-            report.numbers("q", state.q.as_slice());
-            report.numbers("v", state.v.as_slice());
+            report.numbers("q", state.q.iter().copied());
+            report.numbers("v", state.v.iter().copied());
             report.line("longest", &[LONGEST.load(Ordering::Relaxed), RELOAD + 1]);
             report.success()
         }
