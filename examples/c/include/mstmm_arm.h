@@ -356,6 +356,30 @@ mstmm_status mstmm_arm_jacobian(const mstmm_arm *chain,
                                 int32_t frame,
                                 mstmm_real *jacobian);
 
+/* Computes the Jacobian of a point of `payload` without the kinematics of other bodies.
+ * It has the rows and columns of the Jacobian of a frame, at a fraction of the cost. Bodies at free ends have it.
+ * `place` is the position of the point in m, in the frame of the body: 3 numbers.
+ * `jacobian` has 6 rows with MSTMM_ARM_RATES numbers each.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_payload_jacobian(const mstmm_arm *chain,
+                                        const mstmm_arm_state *state,
+                                        const mstmm_arm_inputs *inputs,
+                                        const mstmm_real *place,
+                                        mstmm_real *jacobian);
+
+/* Computes the Jacobian of a point of `camera` without the kinematics of other bodies.
+ * It has the rows and columns of the Jacobian of a frame, at a fraction of the cost. Bodies at free ends have it.
+ * `place` is the position of the point in m, in the frame of the body: 3 numbers.
+ * `jacobian` has 6 rows with MSTMM_ARM_RATES numbers each.
+ *
+ * MSTMM_NOT_FINITE, MSTMM_QUATERNION; the result is then unchanged. */
+mstmm_status mstmm_arm_camera_jacobian(const mstmm_arm *chain,
+                                       const mstmm_arm_state *state,
+                                       const mstmm_arm_inputs *inputs,
+                                       const mstmm_real *place,
+                                       mstmm_real *jacobian);
+
 /* Returns sizeof(mstmm_arm) of the library, to check that header and library match. */
 uint32_t mstmm_arm_size(void);
 

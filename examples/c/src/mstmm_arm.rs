@@ -604,3 +604,63 @@ pub extern "C" fn mstmm_arm_jacobian(
     Status::of(written, &HINGES)
 }
 
+/// Computes the Jacobian of a point of `payload` without the kinematics of other bodies.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_payload_jacobian(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    place: Option<&[Real; 3]>,
+    jacobian: Option<&mut MaybeUninit<[[Real; 7]; 6]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(place), Some(to_jacobian)) =
+        (model, state, inputs, place, jacobian)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut jacobian = SMatrix::zeros();
+    let computed =
+        chain.payload_jacobian_into(&state, &inputs, &(*place).into(), &mut jacobian);
+    let written = computed.map(|_| {
+        to_jacobian.write(jacobian.transpose().into());
+    });
+    Status::of(written, &HINGES)
+}
+
+/// Computes the Jacobian of a point of `camera` without the kinematics of other bodies.
+// SAFETY: nothing else has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn mstmm_arm_camera_jacobian(
+    model: Option<&Model>,
+    state: Option<&State>,
+    inputs: Option<&Inputs>,
+    place: Option<&[Real; 3]>,
+    jacobian: Option<&mut MaybeUninit<[[Real; 7]; 6]>>,
+) -> Status {
+    let (Some(model), Some(state), Some(inputs), Some(place), Some(to_jacobian)) =
+        (model, state, inputs, place, jacobian)
+    else {
+        return Status::NULL_POINTER;
+    };
+    let chain = &model.chain;
+    let (state, inputs) = ((*state).into(), (*inputs).into());
+    let checked = chain.check_state(&state).and_then(|()| chain.check_inputs(&inputs));
+    if checked.is_err() {
+        return Status::of(checked, &HINGES);
+    }
+    let mut jacobian = SMatrix::zeros();
+    let computed =
+        chain.camera_jacobian_into(&state, &inputs, &(*place).into(), &mut jacobian);
+    let written = computed.map(|_| {
+        to_jacobian.write(jacobian.transpose().into());
+    });
+    Status::of(written, &HINGES)
+}
+

@@ -44,7 +44,7 @@ fn run(source: &str) -> Option<String> {
     let mut compile = Command::new(compiler);
     compile.current_dir(PACKAGE);
     compile.args(FLAGS.split(' ')).arg(source);
-    compile.arg(&*LIBRARY).args(["-pthread", "-ldl", "-o"]).arg(&program);
+    compile.arg(&*LIBRARY).args(["-pthread", "-ldl", "-lm", "-o"]).arg(&program);
     succeed(&mut compile);
     let output = succeed(&mut Command::new(program));
     Some(String::from_utf8(output.stdout).expect("it prints text"))
@@ -99,6 +99,11 @@ fn a_c_program_gets_the_bits_of_rust() -> Result<(), Error> {
 #[test]
 fn misuse_is_answered_and_changes_nothing() {
     run("tests/misuse.c");
+}
+
+#[test]
+fn the_jacobian_of_a_body_is_that_of_a_frame_on_it() {
+    run("tests/jacobian.c");
 }
 
 #[test]

@@ -60,6 +60,10 @@ static void null_pointers(void)
     CHECK(refused(mstmm_arm_accelerations(&arm, NULL, &inputs, accelerations), code, -1));
     CHECK(refused(mstmm_arm_accelerations(&arm, &state, NULL, accelerations), code, -1));
     CHECK(refused(mstmm_arm_accelerations(&arm, &state, &inputs, NULL), code, -1));
+    const mstmm_real place[3] = {0.0f, 0.0f, 0.0f};
+    mstmm_real jacobian[6 * MSTMM_ARM_RATES];
+    CHECK(refused(mstmm_arm_payload_jacobian(&arm, &state, &inputs, NULL, jacobian), code, -1));
+    CHECK(refused(mstmm_arm_payload_jacobian(&arm, &state, &inputs, place, NULL), code, -1));
     CHECK(refused(mstmm_arm_step(NULL, &state, &inputs), code, -1));
     CHECK(refused(mstmm_arm_step(&arm, NULL, &inputs), code, -1));
     CHECK(refused(mstmm_arm_step(&arm, &state, NULL), code, -1));
@@ -81,7 +85,12 @@ static void numbers(void)
 {
     static const mstmm_real STRANGE[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 3; ++i) {
+        const mstmm_real place[3] = {0.0f, STRANGE[i], 0.0f};
+        mstmm_real jacobian[6 * MSTMM_ARM_RATES] = {7.0f};
         remember();
+        CHECK(refused(mstmm_arm_payload_jacobian(&arm, &state, &inputs, place, jacobian),
+                      MSTMM_NOT_FINITE, -1) &&
+              jacobian[0] == 7.0f);
         CHECK(refused(mstmm_arm_init(&arm, STRANGE[i]), MSTMM_NOT_FINITE, -1));
         CHECK(refused(mstmm_arm_set_step(&arm, STRANGE[i]), MSTMM_NOT_FINITE, -1));
         CHECK(refused(mstmm_arm_set_payload_mass(&arm, STRANGE[i]), MSTMM_PARAMETER, -1));
@@ -117,6 +126,10 @@ static void quaternions(void)
     CHECK(step_refused(MSTMM_QUATERNION, MSTMM_ARM_HINGE_HOOK));
     CHECK(refused(mstmm_arm_solve(&arm, &state, &inputs, &at), MSTMM_QUATERNION,
                   MSTMM_ARM_HINGE_HOOK));
+    const mstmm_real place[3] = {0.0f, 0.0f, 0.0f};
+    mstmm_real jacobian[6 * MSTMM_ARM_RATES];
+    CHECK(refused(mstmm_arm_payload_jacobian(&arm, &state, &inputs, place, jacobian),
+                  MSTMM_QUATERNION, MSTMM_ARM_HINGE_HOOK));
     CHECK(done(mstmm_arm_initial_state(&arm, &state)));
 }
 

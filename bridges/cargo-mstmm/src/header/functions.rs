@@ -4,14 +4,15 @@ mod catalogue;
 
 use mstmm_codegen::emit::Tables;
 use mstmm_codegen::model::{Answer, Chain, Dimension, Request};
+use std::borrow::Cow;
 
 /// A function of a state and inputs.
 #[derive(Clone, Debug)]
 pub struct Function {
     /// Its name after the prefix in C.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// What it computes, for the header.
-    pub docs: &'static str,
+    pub docs: Cow<'static, str>,
     /// Whether it may be singular.
     pub may_be_singular: bool,
     /// Whether it needs a state and inputs.
@@ -64,6 +65,8 @@ pub enum Size {
     DynamicParameters,
     /// One for each component of a velocity and an angular velocity.
     Components,
+    /// One for each component of a position.
+    Place,
 }
 
 impl Size {
@@ -79,6 +82,11 @@ impl Size {
                 Dimension::Plane => 3,
                 Dimension::Line => 1,
             },
+            Size::Place => match dimension {
+                Dimension::Space => 3,
+                Dimension::Plane => 2,
+                Dimension::Line => 1,
+            },
         }
     }
 
@@ -92,6 +100,11 @@ impl Size {
             Size::Components => match dimension {
                 Dimension::Space => "6".into(),
                 Dimension::Plane => "3".into(),
+                Dimension::Line => "1".into(),
+            },
+            Size::Place => match dimension {
+                Dimension::Space => "3".into(),
+                Dimension::Plane => "2".into(),
                 Dimension::Line => "1".into(),
             },
         }

@@ -109,12 +109,16 @@ static void in_a_plane(void)
     static mstmm_flat_variation change;
     static mstmm_flat_results solved;
     mstmm_real j[3 * MSTMM_FLAT_RATES];
+    const mstmm_real place[2] = {0.1, -0.2};
     status(mstmm_flat_init(&flat, 1e-3));
     status(mstmm_flat_initial_state(&flat, &at));
     status(mstmm_flat_kinematics(&flat, &at, &none, MSTMM_FLAT_FRAME_B_MARK, &moved));
     print("mark", &moved, sizeof moved);
     status(mstmm_flat_jacobian(&flat, &at, &none, MSTMM_FLAT_FRAME_B_COM, j));
     print("jacobian", j, sizeof j);
+    status(mstmm_flat_b_jacobian(&flat, &at, &none, place, j));
+    print("jacobian of b", j, sizeof j);
+    status(mstmm_flat_b_jacobian(&flat, &at, &none, NULL, j));
     status(mstmm_flat_momentum(&flat, &at, &none, &total));
     print("momentum", &total, sizeof total);
     memset(&change, 0, sizeof change);
@@ -133,6 +137,7 @@ static void on_a_line(void)
     static mstmm_train_motion moved;
     static mstmm_train_momentum_result total;
     static mstmm_train_variation change;
+    const mstmm_real place = 2.0;
     mstmm_real j[MSTMM_TRAIN_RATES], linear[4 * MSTMM_TRAIN_RATES * MSTMM_TRAIN_RATES];
     status(mstmm_train_init(&train, 1e-3));
     status(mstmm_train_initial_state(&train, &at));
@@ -140,6 +145,8 @@ static void on_a_line(void)
     print("end", &moved, sizeof moved);
     status(mstmm_train_jacobian(&train, &at, &none, MSTMM_TRAIN_FRAME_SECOND_OUTPUT, j));
     print("jacobian", j, sizeof j);
+    status(mstmm_train_second_jacobian(&train, &at, &none, &place, j));
+    print("jacobian of second", j, sizeof j);
     status(mstmm_train_momentum(&train, &at, &none, &total));
     print("momentum", &total, sizeof total);
     status(mstmm_train_linearize(&train, &at, &none, linear));

@@ -138,6 +138,8 @@ fn in_a_plane() -> Result<(), Box<dyn Error>> {
     numbers.push(mark.angular_bias_acceleration());
     ok("mark", numbers);
     ok("jacobian", rows!(kinematics.b().com().jacobian()));
+    ok("jacobian of b", rows!(flat.b_jacobian(&at, &none, &[0.1, -0.2].into())?));
+    println!("MSTMM_NULL_POINTER");
     let momentum = flat.momentum(&at, &none)?;
     let vectors = momentum.center_of_mass.iter().chain(&momentum.linear).copied();
     ok("momentum", std::iter::once(momentum.mass).chain(vectors).chain([momentum.angular]));
@@ -166,6 +168,7 @@ fn on_a_line() -> Result<(), Box<dyn Error>> {
     let end = kinematics.second().output();
     ok("end", [end.position(), end.velocity(), end.bias_acceleration()]);
     ok("jacobian", rows!(end.jacobian()));
+    ok("jacobian of second", rows!(train.second_jacobian(&at, &none, &[2.0].into())?));
     let momentum = train.momentum(&at, &none)?;
     ok("momentum", [momentum.mass, momentum.center_of_mass, momentum.linear]);
     ok("a", rows!(train.linearize(&at, &none)?.a()));

@@ -40,6 +40,8 @@ pub struct Tables {
     pub bodies: Vec<BodyRow>,
     /// The dynamic parameters: the columns of the regressor.
     pub dynamic_parameters: NamedArray,
+    /// The bodies with a separate Jacobian `NAME_jacobian_into`: name and path.
+    pub end_bodies: Vec<[String; 2]>,
     /// The functions of the chain.
     pub answers: Vec<Answer>,
     /// The number of scalars in the chain's type, which has no other fields.
@@ -135,6 +137,12 @@ pub fn tables(chain: &Chain, passthrough: &Passthrough, findings: &Findings) -> 
             .collect(),
         bodies: chain.physical_bodies().map(|id| body(&cx, id)).collect(),
         dynamic_parameters: array(dynamic_parameter_entries(&cx)),
+        end_bodies: compiled
+            .jacobians
+            .iter()
+            .map(|&(body, _)| &chain.bodies[body])
+            .map(|body| [body.name.to_string(), body.path.clone()])
+            .collect(),
         answers: compiled.functions.iter().filter_map(|function| function.answer).collect(),
         scalars: scalars(&cx),
     }

@@ -8,7 +8,7 @@ use super::upper;
 /// Returns the declaration of a function.
 pub(super) fn declaration(model: &Model, of: &Function) -> String {
     let prefix = &model.prefix;
-    let mut docs = of.docs.to_owned();
+    let mut docs = of.docs.to_string();
     for argument in of.given.iter().chain(&of.results) {
         docs += &documented(model, argument);
     }
@@ -47,7 +47,11 @@ fn documented(model: &Model, argument: &Argument) -> String {
     let what = if docs.is_empty() { String::new() } else { format!(" is {docs}") };
     match shape {
         Shape::Vector(of) if docs.is_empty() => format!("\n * `{name}` has {} numbers.", size(*of)),
-        Shape::Vector(of) => format!("\n * `{name}`{what}: {} numbers.", size(*of)),
+        Shape::Vector(of) => {
+            let count = size(*of);
+            let ending = if count == "1" { "" } else { "s" };
+            format!("\n * `{name}`{what}: {count} number{ending}.")
+        }
         Shape::Matrix(rows, columns) => {
             let what = if docs.is_empty() { String::new() } else { format!("{what};") };
             let verb = if docs.is_empty() { "has" } else { "it has" };

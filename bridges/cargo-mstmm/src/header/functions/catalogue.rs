@@ -1,7 +1,9 @@
 //! All functions that a chain can have in C.
 
 use super::{Argument, Function, Has, MOMENTUM, MOTION, RESULTS, Shape, Size, VARIATION};
+use crate::header::names::Constants;
 use mstmm_codegen::model::{Answer, Request};
+use std::borrow::Cow;
 
 /// Returns the functions, each with whether the chain has it.
 pub fn all(has: &Has) -> Vec<(Function, bool)> {
@@ -11,6 +13,7 @@ pub fn all(has: &Has) -> Vec<(Function, bool)> {
     }
     all.extend(momentum(has));
     all.extend(motion(has));
+    all.extend(end_bodies(has));
     all
 }
 
@@ -59,8 +62,8 @@ fn to_rates(
         Some(Argument { name, .. }) => format!("&state, &inputs, &(*{name}).into()"),
     };
     Function {
-        name,
-        docs,
+        name: name.into(),
+        docs: docs.into(),
         may_be_singular: false,
         of_state: true,
         given: given.into_iter().collect(),
@@ -74,12 +77,13 @@ fn to_rates(
 
 /// Returns a function with other results.
 fn function(
-    name: &'static str,
-    docs: &'static str,
+    name: impl Into<Cow<'static, str>>,
+    docs: impl Into<Cow<'static, str>>,
     (given, results): (Vec<Argument>, Vec<Argument>),
     compute: &str,
 ) -> Function {
     let (may_be_singular, of_state, compute) = (false, true, compute.to_owned());
+    let (name, docs) = (name.into(), docs.into());
     Function { name, docs, may_be_singular, of_state, given, results, compute }
 }
 
@@ -393,4 +397,36 @@ fn motion(has: &Has) -> Vec<(Function, bool)> {
             there && has.asks(Request::Jacobian) && has.tables.rates.length > 0,
         ),
     ]
+}
+
+/// Returns the Jacobians of bodies at free ends.
+fn end_bodies(has: &Has) -> Vec<(Function, bool)> {
+    let mut names = Constants::default();
+    let of_body = |[body, path]: &[String; 2]| {
+        let name = names.name("", body).trim_start_matches('_').to_lowercase();
+        let place = Argument {
+            name: "place",
+            docs: "the position of the point in m, in the frame of the body",
+            shape: Shape::Vector(Size::Place),
+            value: String::new(),
+        };
+        let function = function(
+            format!("{name}_jacobian"),
+            format!(
+                "Computes the Jacobian of a point of `{path}` without the kinematics of other bodies.\n \
+                 * It has the rows and columns of the Jacobian of a frame, at a fraction of the cost. Bodies at free ends have it."
+            ),
+            (
+                vec![place],
+                vec![matrix("jacobian", "", [Size::Components, Size::Rates], "jacobian")],
+            ),
+            &format!(
+                "let mut jacobian = SMatrix::zeros();\n    \
+                 let computed =\n        \
+                     chain.{body}_jacobian_into(&state, &inputs, &(*place).into(), &mut jacobian);"
+            ),
+        );
+        (function, has.tables.rates.length > 0)
+    };
+    has.tables.end_bodies.iter().map(of_body).collect()
 }
