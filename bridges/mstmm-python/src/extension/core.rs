@@ -102,7 +102,11 @@ impl Core {
         PyArray1::from_vec(py, self.0.start())
     }
 
-    /// Takes `n` steps of `h` seconds with all states `x`, in place.
+    /// Takes ``n`` steps of ``h`` seconds with all states ``x``, in place.
+    ///
+    /// States have the shape (nx,) or (rows, nx), in the units of `coordinates`, then of `rates`. Inputs have the shape (nu,),
+    /// (rows, nu) or, for each step, (rows, n, nu), in the units of `inputs`; without them they are zero. They are held over a
+    /// step.
     #[pyo3(signature = (x, inputs=None, h=1e-3, n=1, *, method="rk4", threads=0, errors="raise"))]
     #[expect(clippy::too_many_arguments, reason = "the arguments of a Python function")]
     fn step(

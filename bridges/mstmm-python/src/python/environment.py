@@ -19,11 +19,13 @@ else:
     class VectorEnv(gymnasium.vector.VectorEnv):
         """Many states of a model as environments of gymnasium.
 
-        An observation is a state: coordinates, then rates, or ``observe(x)``. An action is the values of all inputs, from
-        ``-high`` to ``high``. It is held over ``substeps`` steps of ``step`` seconds.
+        An observation is a state: coordinates, then rates, in their units, or ``observe(x)``; the shape is (num_envs, nx).
+        An action is the values of all inputs in their units, from ``-high`` or ``low`` to ``high``; the shape is
+        (num_envs, nu). It is held over ``substeps`` steps of ``step`` seconds.
 
-        ``reward(x, u)`` and ``terminated(x)`` have a result for each row. ``reset(rng, rows)`` returns states to begin with;
-        without it they are the model's start with a random deviation of ``noise``. After ``limit`` actions an episode is
+        ``reward(x, u)`` and ``terminated(x)`` return the shape (num_envs,). ``reset(rng, rows)`` returns states to begin with,
+        with the shape (rows, nx); without it they are the model's start with a random deviation up to ``noise``, in the units of
+        the state. After ``limit`` actions an episode is
         truncated. An environment that has ended begins anew with the next action (``AutoresetMode.NEXT_STEP``).
         """
 
@@ -67,11 +69,17 @@ else:
             self._time[rows], self._ended[rows] = 0, False
 
         def reset(self, *, seed=None, options=None):
+            """Begins all episodes anew. Returns the observations, shape (num_envs, nx) in the units of the state, and a dict."""
             super().reset(seed=seed)
             self._begin(np.ones(self.num_envs, bool))
             return self._observed(self.x), {}
 
         def step(self, actions):
+            """Takes ``substeps`` steps with actions of the shape (num_envs, nu), in the units of the inputs.
+
+            Returns observations, in the units of the state, and rewards, ends, truncations, each dimensionless with the shape
+            (num_envs,), and a dict.
+            """
             actions = np.clip(np.asarray(actions, np.float64), self.action_space.low, self.action_space.high)
             again, before = self._ended.copy(), self.x
             # A state that cannot be computed ends its episode.
@@ -93,7 +101,10 @@ else:
             return self._observed(self.x), reward, ended, truncated, {}
 
     class Env(gymnasium.Env):
-        """One environment, with the arguments of `VectorEnv` but the number."""
+        """One environment, with the arguments of `VectorEnv` but the number.
+
+        An observation has the shape (nx,), an action (nu,), in the units of the model.
+        """
 
         metadata = {"render_modes": []}
 
@@ -103,12 +114,17 @@ else:
             self.action_space = self._vector.single_action_space
 
         def reset(self, *, seed=None, options=None):
+            """Begins an episode. Returns the observation, shape (nx,) in the units of the state, and a dict."""
             super().reset(seed=seed)
             self._vector.np_random = self.np_random
             self._vector._begin(np.ones(1, bool))
             return self._vector._observed(self._vector.x)[0], {}
 
         def step(self, action):
+            """Takes ``substeps`` steps with an action of the shape (nu,), in the units of the inputs.
+
+            Returns the observation in the units of the state, the dimensionless reward, end, truncation, and a dict.
+            """
             self._vector._ended[:] = False
             self._vector.np_random = self.np_random
             observation, reward, ended, truncated, info = self._vector.step(np.asarray(action)[None])

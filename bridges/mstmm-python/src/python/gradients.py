@@ -42,8 +42,9 @@ def pullback(model, trajectory, inputs, h, weights):
     """Returns the gradients of ``sum(weights * trajectory)`` with respect to start, inputs and parameters.
 
     ``trajectory`` is that of ``model.rollout(x, inputs, h, n)`` with all steps, ``inputs`` have the shape (rows, n, nu) or
-    are ``None``. The gradients have the shapes (rows, nx), (rows, n, nu) and (rows, parameters). The gradient by a quaternion
-    is orthogonal to the quaternion.
+    are ``None``. ``h`` is the step in s. ``weights`` have the shape of the trajectory. The gradients have the shapes (rows, nx),
+    (rows, n, nu) and (rows, parameters), by the units of states, inputs and parameters. The gradient by a quaternion is
+    orthogonal to the quaternion.
     """
     _checked(model)
     trajectory, weights = _values("trajectory", trajectory), _values("weights", weights)
@@ -66,7 +67,8 @@ def sensitivities(model, trajectory, inputs, h):
     """Returns the derivatives of a trajectory with respect to its start and the parameters, for fits by least squares.
 
     ``trajectory`` has the shape (n + 1, nx), that of ``model.rollout(x, inputs, h, n)``, and ``inputs`` (n, nu) or are
-    ``None``. The derivatives have the shapes (n + 1, nx, 2 * rates) and (n + 1, nx, parameters). A column of the first one
+    ``None``; ``h`` is the step in s. The derivatives are in the units of states by those of rates or parameters, with the
+    shapes (n + 1, nx, 2 * rates) and (n + 1, nx, parameters). A column of the first one
     is for a displacement of the start along a rate, then for a change of a rate; without quaternions these are the
     derivatives by the entries of the start. The model needs the answer `push`.
     """
@@ -100,7 +102,8 @@ def _with(model, parameters):
 def jax_rollout(model, h):
     """Returns a function of JAX: ``rollout(x, inputs, parameters)`` with the trajectory (rows, n + 1, nx).
 
-    ``x`` has the shape (rows, nx), ``inputs`` (rows, n, nu), ``parameters`` one value for each of ``model.parameters``. It
+    ``x`` has the shape (rows, nx), ``inputs`` (rows, n, nu), ``parameters`` one value for each of ``model.parameters``, in
+    the units of the model; ``h`` is the step in s. It
     can be differentiated (reverse mode) and compiled. JAX must use 64 bits: ``jax.config.update("jax_enable_x64", True)``.
     """
     import jax
@@ -136,7 +139,7 @@ def jax_rollout(model, h):
 
 
 def torch_rollout(model, h):
-    """Returns a function of PyTorch, as `jax_rollout` does; its tensors are float64 on the CPU."""
+    """Returns a function of PyTorch, as `jax_rollout` does, with its shapes and units; its tensors are float64 on the CPU."""
     import torch
 
     _checked(model)

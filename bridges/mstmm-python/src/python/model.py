@@ -60,6 +60,10 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
     row for each state. All functions compute all rows, on all cores, without the interpreter's lock. A single state
     may be an array of one axis; results then have no axis of rows.
 
+    Quantities are in SI units: angles in rad, translations in m, torques in N m, forces in N. ``coordinates``, ``rates``,
+    ``efforts``, ``inputs`` and ``parameters`` list the names of entries with their ``units``. Below, nx is the number of
+    entries of a state, n = len(rates) and nu = len(inputs); shapes are those for states of the shape (rows, nx).
+
     Keyword arguments of the functions: ``threads`` is their number, 0 for all cores; it has no effect on results.
     ``errors="nan"`` sets the results of states that cannot be computed to NaN; ``"raise"`` raises the library's error with
     the row.
@@ -87,11 +91,14 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return _restore, (type(self), [self._parameter(i) for i in range(len(type(self).parameters))])
 
     def get(self, parameter):
-        """Returns a parameter by its name."""
+        """Returns a parameter by its name: a float, in its unit of ``parameters.units``."""
         return self._parameter(self._index(parameter))
 
     def set(self, parameter, value):
-        """Sets a parameter by its name. Raises ValueError with the library's reason if the value is refused."""
+        """Sets a parameter by its name to a float, in its unit of ``parameters.units``.
+
+        Raises ValueError with the library's reason if the value is refused.
+        """
         self._set_parameter(self._index(parameter), _number(parameter, value))
 
     def __setattr__(self, name, value):
@@ -109,11 +116,14 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
 
     @property
     def nx(self):
-        """The number of entries of a state."""
+        """The number of entries of a state: coordinates, then rates; dimensionless."""
         return len(self.coordinates) + len(self.rates)
 
     def initial(self, rows=None):
-        """Returns the state at the start of the description: an array of one axis, or of ``rows`` equal rows."""
+        """Returns the state at the start of the description: the shape (nx,), or (rows, nx) with equal rows.
+
+        Its units are those of `coordinates`, then of `rates`.
+        """
         start = self._start()
         return start if rows is None else np.tile(start, (rows, 1))
 
@@ -126,8 +136,9 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
     def rollout(self, x, inputs=None, h=1e-3, n=1, *, every=1, method="rk4", threads=0, errors="raise"):
         """Returns the states over ``n`` steps of ``h`` seconds, from ``x`` on.
 
-        The result has the shape (rows, n // every + 1, nx): the start, then one state after every ``every`` steps. Inputs
-        have the shape (nu,), (rows, nu) or, for each step, (rows, n, nu). They are held over a step.
+        The result has the shape (rows, n // every + 1, nx), in the units of `coordinates` and `rates`: the start, then one state
+        after every ``every`` steps. Inputs have the shape (nu,), (rows, nu) or, for each step, (rows, n, nu), in the units of
+        `inputs`. They are held over a step.
         """
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
         h, n, every = _number("h", h), _whole("n", n), _whole("every", every)
@@ -137,10 +148,10 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return raw.reshape(x.shape[:-1] + (-1, self.nx))
 
     def record(self, x, inputs=None, h=1e-3, *, velocities=False):
-        """Returns a `Recording` of the states ``x``, with the shape (frames, nx), at the times 0, ``h``, 2 ``h``, …
+        """Returns a `Recording` of the states ``x``, with the shape (frames, nx), at the times 0, ``h``, 2 ``h``, … in s.
 
-        Inputs have the shape (nu,) or (frames, nu), or (frames - 1, nu) if the last ones are held, as those of `rollout`.
-        ``velocities=True`` also records the velocities of connection points.
+        Inputs have the shape (nu,) or (frames, nu), or (frames - 1, nu) if the last ones are held, as those of `rollout`; their
+        units are those of `inputs`. ``velocities=True`` also records the velocities of connection points.
         """
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
         if x.ndim == 2 and inputs is not None and inputs.ndim == 2 and len(inputs) == len(x) - 1 > 0:
@@ -153,27 +164,34 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return recording
 
     def accelerations(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the accelerations of all rates (forward dynamics), in the order of `rates`."""
+        """Returns the accelerations of all rates (forward dynamics), in rad/s² and m/s².
+
+        The shape is (rows, n), in the order of `rates`.
+        """
         return self._rows("accelerations", (), x, inputs, None, threads, errors)
 
     def energy(self, x, *, threads=0, errors="raise"):
-        """Returns kinetic and potential energy in J."""
+        """Returns kinetic and potential energy in J: two arrays of the shape (rows,)."""
         raw = self._rows("energies", (), x, None, None, threads, errors)
         return raw[..., 0], raw[..., 1]
 
     def assemble(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the states next to ``x`` that satisfy the loop constraints of a closed chain."""
+        """Returns the states next to ``x`` that satisfy the loop constraints of a closed chain.
+
+        The shape and the units are those of ``x``.
+        """
         return self._rows("assembly", (), x, inputs, None, threads, errors)
 
     def solve(self, x, inputs=None, *, threads=0, errors="raise"):
         """Returns accelerations, efforts, energies and the results at all connection points.
 
-        The result is a dict with the keys ``accelerations``, ``efforts``, ``kinetic_energy``, ``potential_energy`` and
-        ``points``. ``points`` is a dict by the names in `points`; each entry is a dict of arrays: ``position`` in m,
-        ``orientation`` (rotation matrices from the point's frame to the inertial frame), ``velocity``,
-        ``angular_velocity``, ``acceleration``, ``angular_acceleration``, and the internal ``moment`` in N m, which acts
-        on the inboard element, and ``force`` in N, which acts on the outboard element; all in the inertial frame. What
-        the chain's setting ``results`` omits is NaN.
+        The result is a dict with the keys ``accelerations`` in rad/s² and m/s², shape (rows, n), ``efforts`` in N m and N, shape
+        (rows, len(efforts)), ``kinetic_energy`` and ``potential_energy`` in J, shape (rows,), and ``points``. ``points`` is a dict
+        by the names in `points`; each entry is a dict of arrays: ``position`` in m, ``orientation`` (rotation matrices from the
+        point's frame to the inertial frame, dimensionless), ``velocity`` in m/s, ``angular_velocity`` in rad/s,
+        ``acceleration`` in m/s², ``angular_acceleration`` in rad/s², and the internal ``moment`` in N m, which acts on the inboard
+        element, and ``force`` in N, which acts on the outboard element; all in the inertial frame. Orientations have the shape
+        (rows, 3, 3), the others (rows, 3). What the chain's setting ``results`` omits is NaN.
         """
         raw = self._rows("solution", (), x, inputs, None, threads, errors)
         parts = [("accelerations", (len(self.rates),)), ("efforts", (len(self.efforts),))]
@@ -186,14 +204,21 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
     def kinematics(self, frame, x, inputs=None, *, threads=0, errors="raise"):
         """Returns the motion of a frame on a body at zero accelerations, without dynamics, as a dict of arrays.
 
-        A frame is a body and one of its points, such as ``"hand.output"``; `frames` lists all.
+        A frame is a body and one of its points, such as ``"hand.output"``; `frames` lists all. The keys are ``position`` in m,
+        ``orientation`` (rotation matrices from the frame to the inertial frame, dimensionless, shape (rows, 3, 3)), ``velocity``
+        in m/s, ``angular_velocity`` in rad/s, ``bias_acceleration`` in m/s² and ``angular_bias_acceleration`` in rad/s²; shape
+        (rows, 3), in the inertial frame.
         """
         self._needs("kinematics", "jacobian")
         motion, _ = self._frame(frame, 0, x, inputs, threads, errors)
         return motion
 
     def jacobian(self, frame, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the Jacobian of a frame in the inertial frame: rows velocity, then angular velocity."""
+        """Returns the Jacobian of a frame in the inertial frame: rows velocity in m/s, then angular velocity in rad/s.
+
+        The shape is (rows, 6, n) in space, (rows, 3, n) in a plane and (rows, 1, n) on a line. A column is for a unit of a rate, in
+        rad/s or m/s. A frame is a body and one of its points, such as ``"hand.output"``.
+        """
         self._needs("jacobian")
         rows = {"space": 6, "plane": 3, "line": 1}[self.dimension]
         _, jacobian = self._frame(frame, rows, x, inputs, threads, errors)
@@ -244,76 +269,129 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]) for part in zeros], axis=-1)
 
     def bias_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the efforts that keep all rates constant: inverse dynamics at zero accelerations."""
+        """Returns the efforts that keep all rates constant: inverse dynamics at zero accelerations.
+
+        They are in N m and N, in the order of `rates`; shape (rows, n).
+        """
         return self._compute(0, x, inputs, None, threads, errors)
 
     def inverse_dynamics(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
-        """Returns the efforts that the drives must supply for given accelerations."""
+        """Returns the efforts that the drives must supply for given accelerations, in N m and N.
+
+        Accelerations are in rad/s² and m/s². Both have the shape (rows, n), in the order of `rates`; accelerations may have (n,).
+        """
         return self._compute(1, x, inputs, accelerations, threads, errors)
 
     def gravity_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the efforts that balance gravity at rest."""
+        """Returns the efforts that balance gravity at rest, in N m and N.
+
+        The shape is (rows, n), in the order of `rates`.
+        """
         return self._compute(2, x, inputs, None, threads, errors)
 
     def passive_efforts(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the efforts of springs, dampers, friction and limits."""
+        """Returns the efforts of springs, dampers, friction and limits, in N m and N.
+
+        The shape is (rows, n), in the order of `rates`.
+        """
         return self._compute(3, x, inputs, None, threads, errors)
 
     def mass_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the mass matrix."""
+        """Returns the mass matrix, in kg m² for rotations, kg for translations and kg m between them.
+
+        The shape is (rows, n, n), in the order of `rates`.
+        """
         return self._compute(4, x, inputs, None, threads, errors)
 
     def inverse_mass_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the inverse of the mass matrix."""
+        """Returns the inverse of the mass matrix, in 1/(kg m²) for rotations, 1/kg for translations and 1/(kg m) between them.
+
+        The shape is (rows, n, n), in the order of `rates`.
+        """
         return self._compute(5, x, inputs, None, threads, errors)
 
     def mass_matrix_times(self, x, vector, inputs=None, *, threads=0, errors="raise"):
-        """Returns the product of the mass matrix with a vector, without the matrix."""
+        """Returns the product of the mass matrix with a vector, without the matrix.
+
+        Of accelerations in rad/s² and m/s² it is efforts in N m and N, of rates it is momenta in kg m²/s and kg m/s. Both have the
+        shape (rows, n), in the order of `rates`; the vector may have (n,).
+        """
         return self._compute(6, x, inputs, vector, threads, errors)
 
     def inverse_mass_matrix_times(self, x, vector, inputs=None, *, threads=0, errors="raise"):
-        """Returns the product of the inverse of the mass matrix with a vector, without the matrix."""
+        """Returns the product of the inverse of the mass matrix with a vector, without the matrix.
+
+        Of efforts in N m and N it is accelerations in rad/s² and m/s². Both have the shape (rows, n), in the order of `rates`; the
+        vector may have (n,).
+        """
         return self._compute(7, x, inputs, vector, threads, errors)
 
     def inverse_dynamics_derivatives(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
-        """Returns the derivatives of inverse dynamics: ``by_coordinates``, ``by_rates``, ``by_accelerations``."""
+        """Returns the derivatives of inverse dynamics: ``by_coordinates``, ``by_rates``, ``by_accelerations``.
+
+        Each has the shape (rows, n, n): efforts in N m and N by displacements along the rates in rad and m, by rates in rad/s and
+        m/s, and by accelerations in rad/s² and m/s², which is the mass matrix.
+        """
         return self._compute(8, x, inputs, accelerations, threads, errors)
 
     def linearize(self, x, inputs=None, *, threads=0, errors="raise"):
         """Returns the accelerations and their derivatives; ``a`` and ``b`` are the matrices of ẋ = a x + b u.
 
-        Coordinates change along the rates, so ``a`` has one row for each rate in its upper half.
+        x are displacements along the rates in rad and m, then changes of the rates in rad/s and m/s, so ``a`` has the shape
+        (rows, 2 n, 2 n); u are changes of the inputs, in their units, and ``b`` has (rows, 2 n, nu). ``accelerations`` has the shape
+        (rows, n), in rad/s² and m/s²; ``by_coordinates``, ``by_rates``, ``by_inputs`` and ``by_parameters`` are its derivatives with
+        a column for each, and ``inverse_mass_matrix`` is the derivative by efforts.
         """
         return self._compute(9, x, inputs, None, threads, errors)
 
     def push(self, x, inputs=None, *, d_coordinates=None, d_rates=None, d_inputs=None, d_parameters=None, threads=0, errors="raise"):
         """Returns ``accelerations`` and their ``change`` along a direction (a product of their Jacobian with a vector).
 
-        Changes of the coordinates are along the rates.
+        Both have the shape (rows, n), in rad/s² and m/s². The direction has ``d_coordinates``, displacements along the rates in rad
+        and m, and ``d_rates``, with the shape (rows, n) or (n,); ``d_inputs`` and ``d_parameters``, one entry for each, in
+        their units. What is omitted is zero.
         """
         x = _as_array("x", x)
         direction = self._direction(d_coordinates, d_rates, d_inputs, d_parameters, x.shape[:-1])
         return self._compute(10, x, inputs, direction, threads, errors)
 
     def pull(self, x, weights, inputs=None, *, threads=0, errors="raise"):
-        """Returns ``accelerations`` and the gradient of their sum with ``weights`` (a product of a vector with their
-        Jacobian): ``coordinates``, along the rates, ``rates``, ``inputs`` and ``parameters``."""
+        """Returns ``accelerations`` and the gradient of their sum with ``weights`` (a product of a vector with their Jacobian).
+
+        ``accelerations``, in rad/s² and m/s², and ``weights`` have the shape (rows, n); weights may have (n,). The gradient has
+        ``coordinates``, by displacements along the rates in rad and m, and ``rates``, with the shape (rows, n), ``inputs`` with
+        (rows, nu) and ``parameters`` with an entry for each parameter, by their units.
+        """
         return self._compute(11, x, inputs, weights, threads, errors)
 
     def regressor(self, x, accelerations, inputs=None, *, threads=0, errors="raise"):
-        """Returns the matrix that maps the dynamic parameters to efforts, for given accelerations."""
+        """Returns the matrix that maps the dynamic parameters to efforts in N m and N, for given accelerations.
+
+        The shape is (rows, n, p) for p dynamic parameters, as `dynamic_parameters` returns them. Accelerations are in rad/s² and
+        m/s², with the shape (rows, n) or (n,).
+        """
         return self._compute(12, x, inputs, accelerations, threads, errors)
 
     def dynamic_parameters(self):
-        """Returns the dynamic parameters: masses, first moments, inertias, and those of hinges."""
+        """Returns the dynamic parameters in SI units: masses in kg, first moments in kg m, inertias in kg m², and those of hinges.
+
+        The shape is (p,), in the order of the columns of `regressor`.
+        """
         return self._compute(13, self.initial(), None, None, 1, "raise")
 
     def momentum(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns ``mass``, ``center_of_mass``, ``linear`` momentum and ``angular`` momentum about the centre of mass."""
+        """Returns ``mass``, ``center_of_mass``, ``linear`` momentum and ``angular`` momentum about the centre of mass.
+
+        They are in kg, m, kg m/s and kg m²/s, in the inertial frame. ``mass`` has the shape (rows,), the others (rows, 3) in space. In a
+        plane the angular momentum has (rows, 1) and the others (rows, 2); on a line they have (rows, 0) and (rows, 1).
+        """
         return self._compute(14, x, inputs, None, threads, errors)
 
     def momentum_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
-        """Returns the matrix that maps rates to linear and angular momentum."""
+        """Returns the matrix that maps rates to linear momentum in kg m/s, then angular momentum in kg m²/s.
+
+        The shape is (rows, 6, n) in space, (rows, 3, n) in a plane and (rows, 1, n) on a line.
+        """
         return self._compute(15, x, inputs, None, threads, errors)
 
 

@@ -10,7 +10,8 @@ class Names(tuple):
     """The names of quantities, in the order of the entries of arrays.
 
     ``units``, ``starts``, ``limits`` and ``kinds`` have an entry for each name. A start is ``None`` where the
-    description has none, limits are ``None`` or the lowest and the highest value.
+    description has none, limits are ``None`` or the lowest and the highest value; both are in the unit of their name. Units
+    are texts such as ``"rad/s"``; ``"1"`` is dimensionless.
     """
 
     def __new__(cls, rows):
@@ -42,9 +43,9 @@ def _as_array(name, value):
 class Recording:
     """The recorded motion of a model: a table with a row for each frame, for pages, plots and files.
 
-    It keeps a copy of the model with the parameters that are set. A notebook shows its page. ``recording[name]`` is a column,
-    such as ``recording["bob.input.force.x"]``; ``columns`` has all names with their ``units``. ``velocities=True`` also
-    records the velocities of connection points.
+    It keeps a copy of the model with the parameters that are set. A notebook shows its page. ``recording[name]`` is a column
+    with the shape (frames,), such as ``recording["bob.input.force.x"]`` in N; ``columns`` has all names with their
+    ``units``. ``velocities=True`` also records the velocities of connection points in m/s and rad/s.
     """
 
     def __init__(self, model, *, velocities=False):
@@ -57,7 +58,8 @@ class Recording:
     def record(self, x, inputs=None, time=None):
         """Records a state, or the states of an array with the shape (frames, nx), with the results of `Model.solve`.
 
-        Inputs have the shape (nu,) or (frames, nu). ``time`` has the time of each frame in s; only the first frame of a
+        States have the units of `Model.coordinates` and `Model.rates`. Inputs have the shape (nu,) or (frames, nu), in the units of
+        `Model.inputs`. ``time`` has the time of each frame in s; only the first frame of a
         recording may omit it, which is then at zero. Frames before one that cannot be computed are recorded.
         """
         x, inputs = _as_array("x", x), _as_array("inputs", inputs)
@@ -79,8 +81,11 @@ class Recording:
         return self._core.values(self._indices[name], 1)
 
     def arrays(self):
-        """Returns a dict of arrays with an entry for each frame, as `write_npz` writes it: ``time``, ``coordinates``,
-        ``force`` with the shape (frames, points, 3) and so on."""
+        """Returns a dict of arrays with an entry for each frame, as `write_npz` writes it.
+
+        ``time`` in s has the shape (frames,), ``coordinates`` (frames, entries), ``force`` in N (frames, points, 3) and so on;
+        the units are those of ``columns``.
+        """
         arrays = {}
         for name, first, shape, names in self._core.blocks():
             arrays[name] = self._core.values(first, int(np.prod(shape))).reshape([len(self), *shape])
@@ -98,7 +103,7 @@ class Recording:
             file.write(self.html(title=title, meshes=meshes))
 
     def write_csv(self, path):
-        """Writes a CSV file with a head of names and units; its numbers read back to the same bits."""
+        """Writes a CSV file with a head of names and units and a row for each frame; its numbers read back to the same bits."""
         self._core.write_csv(os.fspath(path))
 
     def write_npz(self, path):
