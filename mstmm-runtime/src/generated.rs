@@ -98,34 +98,42 @@ pub fn reset<W>(results: &mut W, new: impl FnOnce() -> W) {
     *results = new();
 }
 
-/// Checks that the values of a parameter, and all values derived from them, are finite.
+/// Checks that the values of a parameter are finite.
 ///
 /// # Errors
 /// [`Error::InvalidParameter`] with the reason.
 #[cold]
-pub fn check_parameter<T: Scalar>(
-    name: &'static str,
-    values: &[T],
-    derived: &[&[T]],
-) -> Result<(), Error> {
-    let are_finite = |values: &[T]| values.iter().all(|value| value.is_finite().all());
-    if !are_finite(values) {
-        return Err(Error::InvalidParameter { name, reason: "must be a finite number" });
+pub fn check_parameter<T: Scalar>(name: &'static str, values: &[T]) -> Result<(), Error> {
+    match are_finite(values) {
+        true => Ok(()),
+        false => Err(Error::InvalidParameter { name, reason: "must be a finite number" }),
     }
-    if !derived.iter().all(|values| are_finite(values)) {
-        return Err(Error::InvalidParameter {
-            name,
-            reason: "must leave all quantities derived from it finite",
-        });
+}
+
+/// Checks that all values derived from a parameter are finite. The rules on values go first, because they name the cause:
+/// a mass of zero has an infinite inverse.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] with the reason.
+#[cold]
+pub fn check_derived<T: Scalar>(name: &'static str, derived: &[&[T]]) -> Result<(), Error> {
+    match derived.iter().all(|values| are_finite(values)) {
+        true => Ok(()),
+        false => Err(Error::InvalidParameter { name, reason: DERIVED_ARE_FINITE }),
     }
-    Ok(())
+}
+
+const DERIVED_ARE_FINITE: &str = "must leave all quantities derived from it finite";
+
+fn are_finite<T: Scalar>(values: &[T]) -> bool {
+    values.iter().all(|value| value.is_finite().all())
 }
 
 /// Checks values that depend on a parameter: each must be positive if the first entry of its rule is true, else not
 /// negative.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] with the reason of the first rule that does not hold.
+/// [`Error::InvalidParameter`] with the reason of the first rule that does not hold, or for a value that overflows.
 #[cold]
 pub fn check_rules<T: Scalar, const N: usize>(
     name: &'static str,
@@ -135,7 +143,10 @@ pub fn check_rules<T: Scalar, const N: usize>(
     let zero = T::constant(0.0);
     for (value, &(positive, reason)) in values.iter().zip(rules) {
         let holds = if positive { value.simd_gt(zero) } else { !zero.simd_gt(*value) };
-        if !(holds & value.is_finite()).all() {
+        if !value.is_finite().all() {
+            return Err(Error::InvalidParameter { name, reason: DERIVED_ARE_FINITE });
+        }
+        if !holds.all() {
             return Err(Error::InvalidParameter { name, reason });
         }
     }

@@ -168,3 +168,22 @@ fn a_chain_in_a_function_has_parameters_and_constants() {
     let acceleration = local.accelerations(&state, &local.no_inputs()).expect("regular")[0];
     crate::assert_close([acceleration], [-9.8 / LENGTH]);
 }
+
+mstmm_chain! {
+    line chain Train {
+        param load = 1 kg;
+        body Car { mass = 2 * load; }
+        ground -> slider rail -> Car car;
+    }
+}
+
+/// The chain keeps the inverse of the mass, which is infinite for a mass of zero: the reason is the mass.
+#[test]
+fn the_cause_of_an_infinite_value_is_reported() {
+    let mut train = Train::<f64>::new();
+    let reason = "must leave the mass of body `car` positive";
+    assert_eq!(train.set_load(0.0), Err(Error::InvalidParameter { name: "load", reason }));
+    let reason = "must leave all quantities derived from it finite";
+    assert_eq!(train.set_load(1e308), Err(Error::InvalidParameter { name: "load", reason }));
+    assert_eq!(train, Train::new());
+}

@@ -136,9 +136,10 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         ///
         /// # Errors
         ///
-        /// `Error::InvalidParameter` if the number is not finite or would
-        /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
-        /// or a quantity that is not finite; the old one is kept then.
+        /// `Error::InvalidParameter` if the number is not finite or would leave the chain with a mass that is not
+        /// positive, with a negative moment of inertia, stiffness or damping, or with a quantity that is not finite.
+        /// It names the body, the hinge or the spring, and the old number is kept. Whether moments and products of
+        /// inertia fit together is not tested, because parameters are set one by one.
         #[allow(unused_variables, clippy::all)]
         #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), #mstmm::Error> {
             let mut parameters_ = *self.parameters();
@@ -146,8 +147,9 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
             let values_ = #values;
             let sealed_ = #mstmm::generated::Sealed::new(parameters_);
             let (chain_, checks_) = Self::derive(sealed_);
-            #mstmm::generated::check_parameter(#text, values_, &[#(&#derived),*])?;
+            #mstmm::generated::check_parameter(#text, values_)?;
             #(#rules)*
+            #mstmm::generated::check_derived(#text, &[#(&#derived),*])?;
             *self = #chain;
             ::core::result::Result::Ok(())
         }

@@ -65,9 +65,10 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
     ///
     /// # Errors
     ///
-    /// `Error::InvalidParameter` if the number is not finite or would
-    /// leave the chain with a mass that is not positive, a stiffness or damping that is negative
-    /// or a quantity that is not finite; the old one is kept then.
+    /// `Error::InvalidParameter` if the number is not finite or would leave the chain with a mass that is not
+    /// positive, with a negative moment of inertia, stiffness or damping, or with a quantity that is not finite.
+    /// It names the body, the hinge or the spring, and the old number is kept. Whether moments and products of
+    /// inertia fit together is not tested, because parameters are set one by one.
     #[allow(unused_variables, clippy::all)]
     pub fn set_payload(
         &mut self,
@@ -78,15 +79,15 @@ impl<T: ::mstmm::Scalar> Pendulum<T> {
         let values_ = &[value_];
         let sealed_ = ::mstmm::generated::Sealed::new(parameters_);
         let (chain_, checks_) = Self::derive(sealed_);
-        ::mstmm::generated::check_parameter(
-            "payload",
-            values_,
-            &[&*chain_.changed_by_setters.derived()],
-        )?;
+        ::mstmm::generated::check_parameter("payload", values_)?;
         ::mstmm::generated::check_rules(
             "payload",
             &checks_,
             &[(true, "must leave the mass of body `rod` positive")],
+        )?;
+        ::mstmm::generated::check_derived(
+            "payload",
+            &[&*chain_.changed_by_setters.derived()],
         )?;
         *self = chain_;
         ::core::result::Result::Ok(())
