@@ -24,6 +24,9 @@ const POWERS: &str = "write powers with `^`";
 /// The message for numbers before or after a vector.
 pub(super) const INSIDE: &str = "write signs and factors inside the brackets";
 
+/// The message for values in other brackets.
+pub(super) const SQUARE: &str = "write several values in square brackets: `[…, …]`";
+
 /// The keywords of forms.
 pub const FORMS: &[&str] = &["rpy", "quaternion", "diag", "tensor", "matrix"];
 
@@ -147,7 +150,7 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
             let expr = number(&mut inside)?;
             if inside.peek_punct(',') {
                 let message = match expr.kind {
-                    ExprKind::Name(_) => "write several values in square brackets: `[…, …]`",
+                    ExprKind::Name(_) => SQUARE,
                     _ => "write vectors as `[x, y, z]`",
                 };
                 return Err(Error::new(extent.first, message));

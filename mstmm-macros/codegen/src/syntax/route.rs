@@ -117,7 +117,6 @@ fn repeat(
     if inside.is_empty() {
         let message = format!("this `repeat` is empty: {}", RepeatSyntax::EXAMPLE);
         diagnostics.push(Error::new_spanned(braces, message));
-        route.complete = false;
     } else {
         routes = repeated_routes(inside, separators, diagnostics);
     }
@@ -136,6 +135,9 @@ fn repeat(
     let count = count.ok();
     if routes.iter().any(|route| !route.steps.is_empty()) {
         route.steps.push(StepSyntax::Repeat(RepeatSyntax { at, count, seeds, routes }));
+    } else {
+        // Without it, the route may have no body.
+        route.complete = false;
     }
     Ok(())
 }

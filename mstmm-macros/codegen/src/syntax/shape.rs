@@ -66,6 +66,9 @@ fn arguments(mut inside: Cursor) -> Result<Vec<(Option<Ident>, ShapeArgument)>> 
             inside = ahead;
         }
         arguments.push((name, argument(&mut inside)?));
+        if inside.peek_punct('.') {
+            return Err(Error::new(inside.last().first, "write the name of a file in quotes"));
+        }
         if inside.punct(',').is_none() {
             inside.check_empty("`,`")?;
         }

@@ -16,6 +16,9 @@ pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.is_empty() || input.peek_punct(';') {
         return Err(input.unexpected("a value"));
     }
+    if input.peek_group(Delimiter::Brace) {
+        return Err(Error::new(input.next_span(), number::SQUARE));
+    }
     if is_form(input) {
         return form(input).map(ValueSyntax::Form);
     }

@@ -98,6 +98,8 @@ fn a_route_without_a_body_is_one_error() {
     expect_rods("ground -> pin(z) j;", &[("ground", message)]);
     expect_rods("ground -> pin a -> pin b -> ground;", &[("ground", message)]);
     expect_rods("repeat 10 { pin j };", &[("j", message)]);
+    let nested = "`repeat` blocks cannot be nested";
+    expect_rods("ground -> repeat 2 { repeat 2 { pin j -> Rod rod } };", &[("repeat", nested)]);
 }
 
 #[test]

@@ -50,6 +50,7 @@ fn arguments_have_their_form() {
         let of_mesh = "write a mesh as `mesh(\"file.stl\")`";
         expect_shape(&format!("mesh{arguments}"), &[(arguments, of_mesh)]);
     }
+    expect_shape("mesh(wheel.stl)", &[("wheel", "write the name of a file in quotes")]);
 }
 
 #[test]
