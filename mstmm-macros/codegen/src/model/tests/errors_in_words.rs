@@ -197,7 +197,10 @@ fn keywords_have_no_parentheses() {
     }
     let several = "write several values in square brackets: `[…, …]`";
     expect_rods("answers = (basic, push); ground -> pin j -> Rod rod;", &[("(", several)]);
-    expect_rods("answers = {basic, push}; ground -> pin j -> Rod rod;", &[("{basic, push}", several)]);
+    expect_rods(
+        "answers = {basic, push}; ground -> pin j -> Rod rod;",
+        &[("{basic, push}", several)],
+    );
     expect_rods("results = (z); ground -> pin j -> Rod rod;", &[("(z)", of_answers)]);
     let method = "expected `riccati` or `transfer`, found `(riccati)`";
     expect_rods("method = (riccati); ground -> pin j -> Rod rod;", &[("(riccati)", method)]);
