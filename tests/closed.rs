@@ -142,19 +142,22 @@ fn assembly_closes_rough_starts() {
 }
 
 mstmm_chain! {
-    /// Bars of one metre and a gap of three.
+    /// Bars of one metre and a gap that the parameter widens.
     plane chain TooShort {
+        param gap = 2 m;
         body Bar {
             mass = 1 kg; com = [0.5, 0] m; inertia = 0.1 kg*m^2 about com; output = [1, 0] m;
         }
-        ground -> pin a -> Bar left -> pin b -> Bar right -> pin c -> ground at [3, 0] m;
+        ground -> pin a -> Bar left -> pin b -> Bar middle -> pin c -> Bar right
+               -> pin d -> ground at [gap, 0 m];
         hinge a { start = 20 deg; start_rate = 1 rad/s; }
     }
 }
 
 #[test]
 fn a_chain_that_cannot_reach_is_not_assembled() {
-    let chain = TooShort::<f64>::new();
+    let mut chain = TooShort::<f64>::new();
+    chain.set_gap(4.0).expect("a length");
     let mut state = chain.initial_state();
     let refused = chain.assemble(&mut state, &chain.no_inputs());
     assert_eq!((refused, state), (Err(Error::NotAssembled), chain.initial_state()));

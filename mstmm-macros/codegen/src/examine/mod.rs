@@ -26,6 +26,9 @@ const CUT_SHORT: usize = 3;
 /// linkage whose smallest singular value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
 
+/// The name of the warning of a closed chain that cannot be closed near its start.
+const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
+
 /// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
@@ -74,6 +77,9 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
     let poses = dry_run.closed_poses();
+    if poses.is_empty() && whole {
+        dry_run.warn_of_open_loop(diagnostics);
+    }
     let mobility = if whole { dry_run.mobility(&poses) } else { None };
     // A single pose has prescribed motions at zero, which may be a singular position.
     let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
@@ -178,6 +184,17 @@ impl DryRun {
              of its hinges ({dof_count}); add a hinge or an axis, or leave one end free"
         );
         diagnostics.error(closing.name.span(), message);
+    }
+
+    /// Warns of a closed chain for which no closed pose near the start is found. The positions of prescribed motions are
+    /// known at run time only.
+    fn warn_of_open_loop(&self, diagnostics: &mut Diagnostics) {
+        let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
+        let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
+        let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
+        let message = "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
+                       the positions of the ends, or write a `start` of the hinges near a closed pose";
+        diagnostics.warn(closing.name.span(), OPEN_LOOP, message);
     }
 
     /// Returns the start and poses near it, since the start may be a singular pose, all closed;

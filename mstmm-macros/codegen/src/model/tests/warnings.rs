@@ -36,6 +36,25 @@ fn expect_hinge(kind: &str, fields: &str, expected: &[&str]) {
     expect_chain(&format!("chain A {{ {parameters} {ROD} {route} {hinges} }}"), expected);
 }
 
+/// Three bars of one metre close a gap of two metres, but none of four metres, unless its position is known at run time
+/// only.
+#[test]
+fn a_closed_chain_can_be_closed_near_its_start() {
+    let loops = |end: &str| {
+        format!(
+            "chain A {{ param far = 4 m; {ROD} ground -> pin(z) a -> Rod one -> pin(z) b -> Rod two \
+             -> pin(z) c -> Rod three -> pin(z) d -> {end}; hinge a {{ start = 0.3; }} hinge b {{ start = -1.5; }} }}"
+        )
+    };
+    expect_chain(&loops("ground at [2, 0, 0]"), &[]);
+    expect_chain(&loops("ground at [4, 0, 0]"), &["d"]);
+    expect_chain(&loops("ground at [far, 0 m, 0 m]"), &["d"]);
+    expect_chain(&loops("moving cart"), &[]);
+    let message = "no pose near the start closes this chain, so `assemble` fails: …";
+    let warnings = warnings_in(&loops("ground at [4, 0, 0]"));
+    assert!(super::says(&warnings[0].1, message), "{warnings:?}");
+}
+
 #[test]
 fn an_angle_of_more_than_a_revolution_has_a_unit() {
     // Two hinges share the field: there is one warning.
