@@ -1,19 +1,17 @@
 //! Names of the file as names of the language.
 
+use mstmm_codegen::model::RESERVED_NAMES;
 use std::collections::HashSet;
 
-/// Names that hinges, bodies, points and parts must not have: keywords of Rust, with those of newer editions,
-/// keywords of the language, and methods of generated types.
+/// Names that hinges, bodies, points and parts must not have, in addition to those that the compiler reserves: keywords of
+/// Rust, with those of newer editions, keywords of the language, and points of all bodies.
 const RESERVED: &str = "
     abstract as async await become box break const continue crate do dyn else enum extern false
     final fn for gen if impl in let loop macro match mod move mut override priv pub ref return self
     static struct super trait true try type typeof unsafe unsized use virtual where while yield
     answers at body chain from gravity ground hinge last load method moving param part repeat
     results shape spring turned weld pin slider screw cylindrical universal ball planar floating
-    elastic accelerations accelerations_into assemble clone closure com configuration_rate_into
-    default derivative_into energy implicit_derivative_into initial_state input kinetic_energy new
-    no_inputs normalize output parameters point_ points potential_energy q q_mut set_time solve_into
-    t time v v_mut vector_ workspace
+    elastic com input output
 ";
 
 /// Names of types that a chain generates in addition to those of its bodies.
@@ -54,7 +52,8 @@ impl Names {
 }
 
 fn is_reserved(name: &str) -> bool {
-    RESERVED.split_whitespace().chain(RESERVED_TYPES.split_whitespace()).any(|word| word == name)
+    let own = RESERVED.split_whitespace().chain(RESERVED_TYPES.split_whitespace());
+    own.chain(RESERVED_NAMES.iter().copied()).any(|word| word == name)
 }
 
 /// Returns a name in snake case.
@@ -152,6 +151,8 @@ mod tests {
         assert_eq!(names.unique("gripper", "_joint"), "gripper_joint2");
         assert_eq!(names.unique("body", "_link"), "body_link");
         assert_eq!(names.unique("gripper_mut", "_link"), "gripper_mut_link");
+        assert_eq!(names.unique("rates", "_joint"), "rates_joint");
+        assert_eq!(names.unique("q", "_joint"), "q_joint");
     }
 
     #[test]

@@ -30,6 +30,7 @@ mod value;
 pub use crate::ids::{BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId};
 pub use answer::Answer;
 pub use body_frames::{BodyFrame, FrameValues};
+pub use check::RESERVED_NAMES;
 pub use condition::{Bound, Condition, Requirement};
 pub use connection_points::{ConnectionPoint, ConnectionPoints, ElementPoints, Transmitted};
 pub use dynamic_parameters::{DynamicParameter, InertialParameter, PassiveElement};

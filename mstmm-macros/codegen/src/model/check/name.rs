@@ -9,7 +9,7 @@ use crate::model::lower::{BodyType, Draft, ItemName, KINDS, RouteItem};
 use crate::syntax::{BlockSyntax, FUNCTIONS};
 
 /// Methods of the generated types, which are no names for hinges, bodies or parameters.
-const RESERVED: &[&str] = &[
+pub const RESERVED: &[&str] = &[
     "q",
     "q_mut",
     "v",
