@@ -2,9 +2,9 @@
 
 use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
-use crate::equations::writes_matrices_out;
+use crate::equations::{takes_rates_together, writes_matrices_out};
 use crate::examine::Findings;
-use crate::model::{Answer, Chain, ClosureRank, Dimension, Layout, Passive, Request};
+use crate::model::{Answer, Chain, ClosureRank, Dimension, Layout, MovesWith, Passive, Request};
 use crate::passes::Checks;
 use crate::program::{Failure, OutputId};
 
@@ -276,11 +276,15 @@ pub(super) fn is_by_columns(chain: &Chain, layout: &Layout, answer: Answer) -> b
     }
 }
 
-/// Returns whether the regressor of a chain can be computed with several rates at a time. A few rates would leave most
-/// lanes empty.
+/// Returns whether the regressor of a chain is computed with several rates at a time, by scalar types that have columns.
 fn has_regressor_by_rates(chain: &Chain, layout: &Layout) -> bool {
-    let is_in_space = chain.dimension == Dimension::Space;
-    is_in_space && chain.repeats.is_empty() && layout.dof_count() > 2
+    let lengths = layout.path_lengths();
+    let moving = |body| match layout.parts[body] {
+        MovesWith::Ground => 0,
+        MovesWith::Link(link) => lengths[link],
+    };
+    let is_straight = chain.dimension == Dimension::Space && chain.repeats.is_empty();
+    is_straight && takes_rates_together(chain.physical_bodies().map(moving).sum())
 }
 
 /// Returns whether a chain is asked for matrices that are computed column by column.

@@ -146,14 +146,19 @@ impl Layout {
         self.v.iter().last().map_or(0, |range| range.end)
     }
 
-    /// Returns the largest number of rates on a path from the ground to a link.
-    pub fn longest_path(&self) -> usize {
+    /// Returns the numbers of rates on the paths from the ground to all links.
+    pub fn path_lengths(&self) -> IdVec<LinkId, usize> {
         let mut paths: IdVec<LinkId, usize> = IdVec::new();
         for (_, link) in self.links.enumerate() {
             let inboard = link.parent.map_or(0, |parent| paths[parent]);
             paths.push(inboard + self.v[link.hinge].len());
         }
-        paths.iter().copied().max().unwrap_or(0)
+        paths
+    }
+
+    /// Returns the largest number of rates on a path from the ground to a link.
+    pub fn longest_path(&self) -> usize {
+        self.path_lengths().iter().copied().max().unwrap_or(0)
     }
 
     /// Returns the range of an input that exists.
