@@ -43,8 +43,9 @@ pub struct Lqr<T, const X: usize, const U: usize> {
 ///
 /// # Errors
 /// [`Error::InvalidParameter`] for `r` if R is not positive definite, [`Error::NotFinite`] if a matrix is not finite or
-/// the cost or B R⁻¹ Bᵀ Q overflows, and [`Error::NotStabilizable`] if no gain was found that makes A − B K stable, in any lane. The gain is not found if
-/// a motion that does not decay without control is not changed by the inputs, or has no weight in Q.
+/// the cost or B R⁻¹ Bᵀ Q overflows, and [`Error::NotStabilizable`] if no gain was found that makes A − B K stable, in
+/// any lane. The gain is not found if a motion that does not decay without control is not changed by the inputs, or has no
+/// weight in Q.
 #[doc(alias("dlqr", "DARE", "LinearQuadraticRegulator", "optimal control", "solve_discrete_are"))]
 #[doc(alias("discrete Riccati equation"))]
 #[doc(alias("DiscreteTimeLinearQuadraticRegulator", "DiscreteAlgebraicRiccatiEquation"))]
