@@ -283,8 +283,9 @@ fn has_regressor_by_rates(chain: &Chain, layout: &Layout) -> bool {
         MovesWith::Ground => 0,
         MovesWith::Link(link) => lengths[link],
     };
-    let is_straight = chain.dimension == Dimension::Space && chain.repeats.is_empty();
-    is_straight && takes_rates_together(chain.physical_bodies().map(moving).sum())
+    let has_this_form = chain.dimension == Dimension::Space && chain.repeats.is_empty();
+    let pairs = chain.physical_bodies().map(moving).sum();
+    has_this_form && takes_rates_together(layout.dof_count(), pairs)
 }
 
 /// Returns whether a chain is asked for matrices that are computed column by column.
