@@ -29,10 +29,15 @@ fn is_finite<T: Scalar>([w, x, y, z]: [T; 4]) -> T::Mask {
 fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
     let square = square(quaternion);
     let rounding = T::constant(ROUNDING) * T::epsilon();
+    let shortest = T::constant(SHORTEST * SHORTEST) - rounding;
+    let longest = T::constant(LONGEST * LONGEST) + rounding;
+    let is_between = square.simd_gt(shortest) & longest.simd_gt(square);
+    if is_between.all() {
+        return false;
+    }
     // A square that overflows is infinite, one that underflows zero.
-    let short = (T::constant(SHORTEST * SHORTEST) - rounding).simd_gt(square);
-    let long = square.simd_gt(T::constant(LONGEST * LONGEST) + rounding);
-    !(!((short | long) & is_finite(quaternion))).all()
+    let is_outside = shortest.simd_gt(square) | square.simd_gt(longest);
+    !(!(is_outside & is_finite(quaternion))).all()
 }
 
 /// Fails if the quaternion of `hinge` is finite and its length is not between 0.9 and 1.1.
