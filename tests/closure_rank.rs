@@ -39,8 +39,8 @@ mod unrolled {
 
 mod parametric {
     use super::*;
-    bennett!(Bennett, riccati, [param size = 1; param load = 1 kg;], (size), (size * sqrt(2)));
-    bennett!(ByTransfer, transfer, [param size = 1; param load = 1 kg;], (size), (size * sqrt(2)));
+    bennett!(Bennett, riccati, [param size = 1; param _load = 1 kg;], (size), (size * sqrt(2)));
+    bennett!(ByTransfer, transfer, [param size = 1; param _load = 1 kg;], (size), (size * sqrt(2)));
 }
 
 mod constant {
@@ -107,7 +107,7 @@ macro_rules! same_as_written {
             let mut resized = parametric::Bennett::new();
             resized.set_size(2.0).expect("a size");
             resized.set_size(1.0).expect("a size");
-            resized.set_load(5.0).expect("a mass");
+            resized.set__load(5.0).expect("a mass");
             check(
                 "parameter",
                 truth(),

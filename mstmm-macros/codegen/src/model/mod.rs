@@ -105,6 +105,7 @@ pub fn lower(def: &ChainSyntax, diagnostics: &mut Diagnostics) -> Option<(Chain,
     if !diagnostics.is_empty() {
         return None;
     }
+    lower::warn_of_unused(&draft.unused_parameters, diagnostics);
     let Some(chain) = draft.finish() else {
         bug!("a part of chain `{}` is missing, and no error is reported", def.name)
     };

@@ -43,6 +43,8 @@ pub(super) struct KnownParameter<'a> {
     pub default: Option<f64>,
     /// The default as written, if it could be read.
     pub default_expr: Option<&'a ExprSyntax>,
+    /// Whether a value that was read depends on it.
+    pub is_used: bool,
 }
 
 /// What a number measures, as far as it is known.

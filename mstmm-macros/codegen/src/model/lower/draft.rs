@@ -1,5 +1,7 @@
 //! The draft of a chain: the result of the lowering before the checks.
 
+use proc_macro2::Ident;
+
 use super::body::{BodyTypes, PointDraft};
 use super::context::Spanned;
 use super::hinge::{HingeProperties, of_everything};
@@ -33,6 +35,8 @@ pub(crate) struct Draft<'a> {
     pub settings: Settings,
     /// Parameters: values that may change at run time.
     pub parameters: Vec<Parameter>,
+    /// The names of the parameters on which no value depends.
+    pub unused_parameters: Vec<&'a Ident>,
     /// The number of Rust constants.
     pub constants: usize,
     /// The routes, with all parts written out.

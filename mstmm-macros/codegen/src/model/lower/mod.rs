@@ -41,6 +41,7 @@ pub(crate) use fields::listed;
 pub(super) use hinge::{FieldNames, KINDS, groups};
 #[cfg(test)]
 pub(super) use keyword_uses::keywords as keywords_of;
+pub(super) use parameter::warn_of_unused;
 pub(super) use parts::{ItemName, WrittenOut, WrittenRepeat, WrittenRoute, write_out};
 pub(super) use place::{POINTS, PlacePoint, example_place, places_of};
 pub(super) use route_item::RouteItem;
@@ -81,6 +82,8 @@ pub(super) fn draft<'a>(
     parts::warn_of_unused(def, &mut context);
     let references = references::references(def, resolved);
     let requirements = std::mem::take(&mut context.requirements);
+    let unused = def.parameters.iter().zip(&context.parameters).filter(|(_, known)| !known.is_used);
+    let unused_parameters = unused.map(|(def, _)| &def.field.name).collect();
     let passthrough = Passthrough {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
@@ -95,6 +98,7 @@ pub(super) fn draft<'a>(
         requirements,
         settings,
         parameters,
+        unused_parameters,
         constants,
         written,
         types,

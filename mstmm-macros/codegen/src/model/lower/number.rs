@@ -143,8 +143,9 @@ impl Context<'_> {
 
     fn name(&mut self, name: &Ident) -> Option<(Value, Measure)> {
         if let Some(index) = self.parameters.iter().position(|other| other.name == name) {
-            let measure = self.parameters[index].measure;
-            return Some((Value::Symbol(Symbol::Parameter(index)), measure));
+            let parameter = &mut self.parameters[index];
+            parameter.is_used = true;
+            return Some((Value::Symbol(Symbol::Parameter(index)), parameter.measure));
         }
         if self.later_parameters.contains(&name) {
             return self.refuse(

@@ -1,6 +1,9 @@
 //! Parameters: values that may change at run time.
 
+use proc_macro2::Ident;
+
 use super::context::{Context, KnownParameter, Measure};
+use crate::diag::Diagnostics;
 use crate::model::{Parameter, Symbol, Value};
 use crate::syntax::{ChainSyntax, FieldSyntax, ParameterSyntax, ValueSyntax};
 
@@ -25,11 +28,30 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
             Measure::Of(dimension) => dimension.unit(),
             _ => String::new(),
         };
-        let parameter = KnownParameter { name, measure, default: default.known(), default_expr };
+        let parameter = KnownParameter {
+            name,
+            measure,
+            default: default.known(),
+            default_expr,
+            is_used: false,
+        };
         context.parameters.push(parameter);
         parameters.push(Parameter { name: name.clone(), default, unit, repetitions: *repetitions });
     }
     parameters
+}
+
+/// The rule that a parameter is used: of a chain, or of a part.
+pub(super) const UNUSED: &str = "UNUSED_PARAMETER";
+
+/// Warns of parameters on which no value of the chain depends. A name that begins with `_` may be unused, as in Rust.
+pub(crate) fn warn_of_unused(unused: &[&Ident], diagnostics: &mut Diagnostics) {
+    for name in unused.iter().filter(|name| !name.to_string().starts_with('_')) {
+        let message = format!(
+            "no value depends on the parameter `{name}`: use it, remove it, or write `_{name}`"
+        );
+        diagnostics.warn(name.span(), UNUSED, message);
+    }
 }
 
 fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measure)> {

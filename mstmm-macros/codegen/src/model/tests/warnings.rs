@@ -30,7 +30,10 @@ const ROD: &str = "body Rod { mass = 1; com = [0.5, 0, 0]; output = [1, 0, 0]; \
 /// is written.
 #[track_caller]
 fn expect_hinge(kind: &str, fields: &str, expected: &[&str]) {
-    let parameters = "param tilt = 40; param full = 4*PI; param fine = 40 deg; param small = 2;";
+    let parameters = [("tilt", "40"), ("full", "4*PI"), ("fine", "40 deg"), ("small", "2")];
+    let used = parameters.iter().filter(|(name, _)| fields.contains(name));
+    let parameters: String =
+        used.map(|(name, default)| format!("param {name} = {default}; ")).collect();
     let route = format!("ground -> {kind} a -> Rod one -> {kind} b -> Rod two;");
     let hinges = format!("hinge a, b {{ {fields} }}");
     expect_chain(&format!("chain A {{ {parameters} {ROD} {route} {hinges} }}"), expected);
@@ -41,8 +44,9 @@ fn expect_hinge(kind: &str, fields: &str, expected: &[&str]) {
 #[test]
 fn a_closed_chain_can_be_closed_near_its_start() {
     let loops = |end: &str| {
+        let parameter = if end.contains("far") { "param far = 4 m;" } else { "" };
         format!(
-            "chain A {{ param far = 4 m; {ROD} ground -> pin(z) a -> Rod one -> pin(z) b -> Rod two \
+            "chain A {{ {parameter} {ROD} ground -> pin(z) a -> Rod one -> pin(z) b -> Rod two \
              -> pin(z) c -> Rod three -> pin(z) d -> {end}; hinge a {{ start = 0.3; }} hinge b {{ start = -1.5; }} }}"
         )
     };
@@ -61,7 +65,7 @@ fn an_angle_of_more_than_a_revolution_has_a_unit() {
     expect_hinge("pin", "start = 30;", &["30"]);
     expect_hinge("pin", "start = -30.5;", &["30.5"]);
     expect_hinge("pin", "start = (30);", &["(30)"]);
-    expect_hinge("pin", "start = 6.29; rest = -7;", &["6.29", "7"]);
+    expect_hinge("pin", "start = 6.29; rest = -7; stiffness = 1;", &["6.29", "7"]);
     expect_hinge("pin", "limits = [-90, 100]; limit_stiffness = 1;", &["90", "100"]);
     expect_hinge(
         "ball",
@@ -77,7 +81,7 @@ fn an_angle_of_more_than_a_revolution_has_a_unit() {
     );
     expect_hinge(
         "planar",
-        "start = [10, 20] turned 30; rest = [10, 20] turned -30;",
+        "start = [10, 20] turned 30; rest = [10, 20] turned -30; stiffness = 1;",
         &["30", "30"],
     );
     expect_hinge("floating", "start = [9, 9, 9] m turned rpy(0, 0, 90);", &["90"]);
@@ -111,28 +115,32 @@ fn an_expression_is_judged_by_its_value() {
     expect_hinge("pin", "start = 10*3;", &["10"]);
     expect_hinge("pin", "start = 20 + 10;", &["20"]);
     expect_hinge("pin", "start = 30/10;", &[]);
-    expect_hinge("pin", "start = -2^2; rest = 3^2;", &["3"]);
+    expect_hinge("pin", "start = -2^2; rest = 3^2; stiffness = 1;", &["3"]);
     // A multiple of π is meant in radians.
-    expect_hinge("pin", "start = 10*PI; rest = -2*(1 + PI);", &[]);
+    expect_hinge("pin", "start = 10*PI; rest = -2*(1 + PI); stiffness = 1;", &[]);
 }
 
 #[test]
 fn the_default_of_a_parameter_is_judged_where_it_is_an_angle() {
-    expect_hinge("pin", "start = tilt; rest = -tilt;", &["40"]);
+    expect_hinge("pin", "start = tilt; rest = -tilt; stiffness = 1;", &["40"]);
     expect_hinge("pin", "start = tilt/100;", &[]);
     expect_hinge("pin", "start = 5*small;", &["5"]);
-    expect_hinge("pin", "start = full; rest = 2*full;", &[]);
-    expect_hinge("pin", "start = fine; rest = 20*fine;", &[]);
+    expect_hinge("pin", "start = full; rest = 2*full; stiffness = 1;", &[]);
+    expect_hinge("pin", "start = fine; rest = 20*fine; stiffness = 1;", &[]);
     expect_hinge("pin", "start_rate = tilt; damping = tilt;", &[]);
 }
 
 #[test]
 fn angles_with_units_and_other_values_are_accepted() {
-    expect_hinge("pin", "start = 30 deg; rest = 30 rad;", &[]);
-    expect_hinge("pin", "start = 6.28; rest = -6.28; start_rate = 100; torque = 90;", &[]);
+    expect_hinge("pin", "start = 30 deg; rest = 30 rad; stiffness = 1;", &[]);
+    expect_hinge(
+        "pin",
+        "start = 6.28; rest = -6.28; stiffness = 1; start_rate = 100; torque = 90;",
+        &[],
+    );
     expect_hinge("pin", "limits = [-90, 100] deg; limit_stiffness = 100;", &[]);
-    expect_hinge("pin", "start = ANGLE; rest = 10*consts::ANGLE;", &[]);
-    expect_hinge("slider", "start = 30; rest = -30;", &[]);
+    expect_hinge("pin", "start = ANGLE; rest = 10*consts::ANGLE; stiffness = 1;", &[]);
+    expect_hinge("slider", "start = 30; rest = -30; stiffness = 1;", &[]);
     expect_hinge("ball", "start = quaternion(90, 0, 0, 90); start_rate = [90, 90, 90];", &[]);
     expect_hinge("ball", "start = rpy(90 deg, 0, 400 rad);", &[]);
     expect_hinge("elastic", "start = [30, 40, 50]; stiffness = 100;", &[]);
@@ -166,9 +174,9 @@ fn the_message_says_what_to_write() {
 #[test]
 fn warnings_are_in_the_order_of_the_text() {
     let source = "chain A { body Rod { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }
-        ground turned rpy(0, 0, 10) -> pin a -> Rod one; hinge a { rest = 20; start = 30; } }
+        ground turned rpy(0, 0, 10) -> pin a -> Rod one; hinge a { rest = 20; stiffness = 1; start = 30; } }
         chain B { param tilt = 40; body Rod { mass = 1; com = [1, 0, 0]; inertia = diag(1, 1, 1) about com; }
-        ground turned rpy(0, 0, 50) -> pin a -> Rod one; hinge a { rest = 60; start = tilt; } }";
+        ground turned rpy(0, 0, 50) -> pin a -> Rod one; hinge a { rest = 60; stiffness = 1; start = tilt; } }";
     expect_chain(source, &["10", "20", "30", "40", "50", "60"]);
 }
 
@@ -185,6 +193,93 @@ fn the_first_value_of_a_repeat_is_used() {
     let message =
         "`link.output` is not used: no route and no spring of this `repeat` has `last.link.output`";
     assert_eq!(warnings, [("link".to_owned(), message.to_owned())]);
+}
+
+/// A chain with a parameter `k`, with these items before its route, this beginning of its route, and these blocks.
+fn with_parameter(items: &str, route: &str, blocks: &str) -> String {
+    format!(
+        "chain A {{ param k = 1; {items} {ROD} {route} pin(x) a -> Rod one -> ball b -> Rod two; \
+         {blocks} }}"
+    )
+}
+
+#[test]
+fn the_parameters_of_a_chain_are_used() {
+    let warnings = warnings_in(&with_parameter("", "ground ->", "hinge a { damping = 1; }"));
+    let [(token, message)] = &warnings[..] else { panic!("{warnings:?}") };
+    assert_eq!(token, "k");
+    assert!(super::says(message, "no value depends on … `k`: … write `_k`"), "{message}");
+    let unused = |items: &str| with_parameter(items, "ground ->", "");
+    expect_chain(&unused("param _j = 1; param i[3] = 2 kg;"), &["k", "i"]);
+    // A word for an axis is no use.
+    expect_chain(&unused("param x = 1;"), &["k", "x"]);
+    // Each chain of a call has its own parameters.
+    let two = format!("{} {}", unused(""), unused("").replace("chain A", "chain B"));
+    expect_chain(&two, &["k", "k"]);
+    // The part does not use its argument, so no value depends on the parameter.
+    let part = "part Leg(_d) { pin knee -> Rod shank; }";
+    expect_chain(&with_parameter(part, "ground -> Leg(k) leg ->", ""), &["k"]);
+    let repeat = |fields: &str| {
+        format!(
+            "chain A {{ param k[3] = 1; {ROD} ground -> weld w -> Rod beam -> repeat 3 {{ \
+             pin knot -> Rod link; }}; hinge knot {{ {fields} }} }}"
+        )
+    };
+    expect_chain(&repeat("stiffness = k;"), &[]);
+    expect_chain(&repeat("stiffness = 1;"), &["k"]);
+}
+
+/// A parameter is used by any value that depends on it, also through the arguments of parts.
+#[test]
+fn any_value_uses_a_parameter() {
+    let expect_used = |items: &str, route: &str, blocks: &str| {
+        expect_chain(&with_parameter(items, route, blocks), &[]);
+    };
+    expect_used("gravity = [0, -k, 0];", "ground ->", "");
+    for fields in [
+        "mass = k; com = [1, 0, 0]; output = [1, 0, 0]; inertia = diag(1, 1, 1) about com;",
+        "mass = 1; com = [k, 0, 0]; output = [1, 0, 0]; inertia = diag(1, 1, 1) about com;",
+        "mass = 1; com = [1, 0, 0]; output = [0, k, 0]; inertia = diag(1, 1, 1) about com;",
+        "mass = 1; com = [1, 0, 0]; output = [1, 0, 0]; inertia = diag(k, 1, 1) about com;",
+        "mass = 1; com = [1, 0, 0]; output = [1, 0, 0]; inertia = diag(1, 1, 1) about com; \
+         point tip = [1, k, 0] turned rpy(0, 0, 1);",
+    ] {
+        expect_used(&format!("body B {{ {fields} }}"), "ground -> weld w -> B base ->", "");
+    }
+    for route in [
+        "ground at [k, 0, 0] ->",
+        "ground turned rpy(0, k, 0) ->",
+        "ground -> pin([1, k, 0]) c -> Rod three ->",
+        "ground -> screw(z, k) c -> Rod three ->",
+    ] {
+        expect_used("", route, "");
+    }
+    for block in [
+        "hinge a { start = k; }",
+        "hinge a { start_rate = -k; }",
+        "hinge b { rest = rpy(k, 0, 0); stiffness = 1; }",
+        "hinge a { stiffness = 2*k^2; }",
+        "hinge b { armature = sqrt(k); }",
+        "hinge a { friction = k; friction_speed = 1; }",
+        "hinge a { friction = 1; friction_speed = k; }",
+        "hinge a { limits = [0, k]; limit_stiffness = 1; }",
+        "hinge a { limits = [0, 1]; limit_stiffness = k; }",
+        "hinge b { torque = [0, 0, k]; }",
+        "load l { on = two.com; force = [0, k, 0]; }",
+        "load l { on = two; at = [k, 0, 0]; force = input; }",
+        "spring s { on = two.com; to = [k, 0, 0]; stiffness = 1; }",
+        "spring s { on = two.com; to = one.com; stiffness = 1; length = k; }",
+    ] {
+        expect_used("", "ground ->", block);
+    }
+    expect_used("", "Rod base ->", "body base { start = [k, 0, 0]; }");
+    let knee =
+        |damping: &str| format!("pin knee -> Rod shank; hinge knee {{ damping = {damping}; }}");
+    let leg = |parameters: &str, content: &str| format!("part Leg{parameters} {{ {content} }}");
+    expect_used(&leg("", &knee("k")), "ground -> Leg leg ->", "");
+    expect_used(&leg("(d)", &knee("d")), "ground -> Leg(2*k) leg ->", "");
+    let outer = format!("{} part Side(e) {{ Leg(e) leg; }}", leg("(d)", &knee("d")));
+    expect_used(&outer, "ground -> Side(k) side ->", "");
 }
 
 #[test]

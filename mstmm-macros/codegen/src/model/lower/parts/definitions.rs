@@ -8,6 +8,7 @@ use super::substitute::Substitution;
 use crate::diag::Diagnostics;
 use crate::model::lower::context::Context;
 use crate::model::lower::hinge::KINDS;
+use crate::model::lower::parameter::UNUSED;
 use crate::syntax::{
     ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, PartSyntax, RouteItemSyntax, RouteSyntax,
     SpanRange, StepSyntax,
@@ -101,9 +102,6 @@ pub(super) fn unused<'a>(
     };
     def.parts.iter().filter(is_unused).map(|part| &part.name).collect()
 }
-
-/// The rule that a parameter of a part is used.
-const UNUSED: &str = "UNUSED_PARAMETER";
 
 /// Warns of parameters that a part does not use, if everything else is readable. A name that begins
 /// with `_` may be unused, as in Rust.
