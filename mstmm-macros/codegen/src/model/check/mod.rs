@@ -73,6 +73,7 @@ const RULES: &[ModelRule] = &[
     body::points_are_named_once,
     hinge::prescribed_motions_exclude_other_drives,
     passive::friction_and_limits_are_complete,
+    passive::rest_positions_have_springs,
     load::loads_are_complete,
     load::springs_are_complete,
 ];

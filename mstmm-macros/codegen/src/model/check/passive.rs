@@ -2,9 +2,9 @@
 
 use crate::diag::Diagnostics;
 use crate::model::condition::{Bound, Requirement};
-use crate::model::lower::{Draft, FieldNames, Fields, RouteItem, groups};
+use crate::model::lower::{Draft, FieldNames, Fields, RouteItem, groups, listed};
 use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
-use crate::model::{Passive, Representation};
+use crate::model::{DofGroup, Passive, Representation};
 use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
 
 /// Fields that need another field.
@@ -74,6 +74,37 @@ pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut 
             }
         }
     }
+}
+
+/// Reports a position at rest on which no effort of its hinge depends.
+pub(super) fn rest_positions_have_springs(draft: &Draft, diagnostics: &mut Diagnostics) {
+    let mut once = Once::default();
+    for (item, properties) in draft.items.iter().zip(&draft.properties) {
+        let RouteItem::Hinge { name: Some(name), spec, .. } = item else { continue };
+        let fields = &properties.fields;
+        let Some(field) = fields.get("rest") else { continue };
+        let needed: Vec<_> = groups(spec).flat_map(efforts_from_rest).collect();
+        if needed.iter().all(|needed| fields.lacks(needed)) && once.is_new(field, 0) {
+            let quoted: Vec<_> = needed.iter().map(|needed| format!("`{needed}`")).collect();
+            let one_of = if quoted.len() > 1 { "one of " } else { "" };
+            let message = format!(
+                "`rest` of hinge `{}` needs {one_of}{} as well; for the initial coordinates write \
+                 `start`",
+                name.path,
+                listed(&quoted)
+            );
+            diagnostics.error(field.name.span(), message);
+        }
+    }
+}
+
+/// Returns the fields of a group whose efforts depend on the position at rest: the springs, and the limits of a
+/// quaternion, which are angles from rest.
+fn efforts_from_rest(
+    (group, names): (&'static DofGroup, &'static FieldNames),
+) -> impl Iterator<Item = &'static str> {
+    let from_rest = group.representation == Representation::Quaternion;
+    std::iter::once(names.stiffness).chain(from_rest.then_some(names.limits))
 }
 
 /// Requires values that dissipate or store energy: none is negative.

@@ -161,6 +161,104 @@ fn friction_and_limits_are_complete() {
     );
 }
 
+/// Some effort depends on the position at rest: a spring, or the limits of a quaternion.
+#[test]
+fn rest_positions_have_springs() {
+    let expect_rest = |kind: &str, rest: &str, more: &str, needed: Option<&str>| {
+        let of_wrist = |needed| format!("`rest` of hinge `wrist` needs {needed} as well; …");
+        let message = needed.map(of_wrist);
+        let errors: Vec<_> = message.iter().map(|message| ("rest", message.as_str())).collect();
+        expect_hinge(kind, &format!("rest = {rest}; {more}"), &errors);
+    };
+    let limits = "limits = [-1, 1]; limit_stiffness = 1; damping = 1;";
+    for kind in ["pin", "slider", "screw(z, 5 mm/rev)"] {
+        expect_rest(kind, "0", "start = 1;", Some("`stiffness`"));
+        expect_rest(kind, "1", limits, Some("`stiffness`"));
+        expect_rest(kind, "1", "stiffness = 0;", None);
+        expect_rest(kind, "ratio", "stiffness = ratio;", None);
+    }
+    expect_rest("universal", "[1, 2]", "motion = input;", Some("`stiffness`"));
+    expect_rest("universal", "[1, 2]", "motion = input; stiffness = [0, 1];", None);
+    let both = Some("one of `stiffness` and `turning_stiffness`");
+    let forms = [
+        ("cylindrical", "1 m turned 30 deg"),
+        ("planar", "[1, 2] m turned 30 deg"),
+        ("elastic", "[1, 2, 3] m turned rpy(1, 1, 1)"),
+    ];
+    for (kind, rest) in forms {
+        expect_rest(kind, rest, limits, both);
+        expect_rest(kind, rest, "turning_limits = [-1, 1]; turning_limit_stiffness = 1;", both);
+        expect_rest(kind, rest, "stiffness = 1;", None);
+        expect_rest(kind, rest, "turning_stiffness = 1;", None);
+    }
+    // The limits of a quaternion are an angle from rest.
+    let limits = "limits = 1; limit_stiffness = 1;";
+    expect_rest("ball", "rpy(1, 0, 0)", "", Some("one of `stiffness` and `limits`"));
+    expect_rest("ball", "rpy(1, 0, 0)", limits, None);
+    expect_rest("ball", "rpy(1, 0, 0)", "stiffness = 1;", None);
+    let floating = Some("one of `stiffness`, `turning_stiffness` and `turning_limits`");
+    let rest = "[1, 2, 3] m turned rpy(1, 0, 0)";
+    expect_rest("floating", rest, "limits = [-1, 1]; limit_stiffness = 1;", floating);
+    expect_rest("floating", rest, "turning_limits = 1; turning_limit_stiffness = 1;", None);
+    // A misspelt stiffness is not missed.
+    expect_hinge(
+        "pin",
+        "rest = 1; stifness = 1;",
+        &[("stifness", "a pin has no field `stifness`; did you mean `stiffness`?")],
+    );
+}
+
+/// A block for several hinges is complete if each of them is.
+#[test]
+fn rest_positions_of_several_hinges_have_springs() {
+    let blocks = |blocks: &str| format!("{blocks} hinge wrist {{");
+    let message = |hinge| format!("`rest` of hinge `{hinge}` needs …");
+    let expect_blocks = |text: &str, errors: &[(&str, &str)]| {
+        expect("hinge wrist {", &blocks(text), errors);
+    };
+    let wrist = "hinge wrist { rest = rpy(1, 0, 0); }";
+    expect_blocks(&format!("{wrist} hinge wrist, shoulder {{ stiffness = 1; }}"), &[]);
+    expect_blocks(
+        &format!("{wrist} hinge shoulder {{ stiffness = 1; rest = 1; }}"),
+        &[("rest", &message("wrist"))],
+    );
+    let pins = |blocks: &str| {
+        format!(
+            "chain A {{ body Rod {{ mass = 1; com = [1, 0, 0]; output = [1, 0, 0]; \
+             inertia = diag(1, 1, 1) about com; }} ground -> pin a -> Rod one -> repeat 2 {{ \
+             pin b -> Rod two; }}; {blocks} }}"
+        )
+    };
+    let both = "hinge a, b { rest = 1; }";
+    expect_all(&pins(&format!("{both} hinge a, b {{ stiffness = 1; }}")), &[]);
+    expect_all(
+        &pins(&format!("{both} hinge a {{ stiffness = 1; }} hinge b {{ stiffness = 2; }}")),
+        &[],
+    );
+    // The first hinge without a spring is named; there is one error on the token.
+    expect_all(&pins(both), &[("rest", &message("a"))]);
+    expect_all(&pins(&format!("{both} hinge a {{ stiffness = 1; }}")), &[("rest", &message("b"))]);
+    // A block outside of a part completes one inside, of each instance.
+    let legs = |of_knee: &str, blocks: &str| {
+        format!(
+            "chain A {{ body Rod {{ mass = 1; com = [1, 0, 0]; output = [1, 0, 0]; \
+             inertia = diag(1, 1, 1) about com; }} part Leg {{ pin knee -> Rod shank; \
+             hinge knee {{ {of_knee} }} }} ground -> Leg r -> Leg l; {blocks} }}"
+        )
+    };
+    expect_all(&legs("rest = 1; stiffness = 1;", ""), &[]);
+    expect_all(&legs("rest = 1;", "hinge r.knee, l.knee { stiffness = 1; }"), &[]);
+    expect_all(&legs("stiffness = 1;", "hinge r.knee { rest = 1; }"), &[]);
+    expect_all(
+        &legs("rest = 1;", "hinge r.knee { stiffness = 1; }"),
+        &[("rest", &message("l.knee"))],
+    );
+    expect_all(
+        &legs("damping = 1;", "hinge l.knee { rest = 1; }"),
+        &[("rest", &message("l.knee"))],
+    );
+}
+
 #[test]
 fn rotations_of_a_hinge_with_translations_have_other_fields() {
     for (field, value, at, message) in [
@@ -244,7 +342,7 @@ fn elastic_hinges_have_no_right_angle() {
     expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(0, 90, 0) deg;", &[("90", message)]);
     expect_hinge(
         "elastic",
-        "rest = [0, 0, 0] m turned rpy(0, -ratio, 500);",
+        "rest = [0, 0, 0] m turned rpy(0, -ratio, 500); turning_stiffness = 1;",
         &[("-ratio", &format!("{message}, with its parameters' defaults"))],
     );
     expect_hinge("elastic", "start = [0, 0, 0] m turned rpy(200, 80, 500) deg;", &[]);
