@@ -4,8 +4,10 @@
 //! independent columns, each with its share of the dependent ones added, are the base parameters (W. Khalil,
 //! E. Dombre, Modeling, Identification and Control of Robots, chapter 9).
 
-use super::dry_run::{DryRun, Number, low_discrepancy};
+use super::dry_run::{DryRun, Number, near_zero};
 use crate::equations::{Axes, Trace, regressor};
+use crate::ids::IdVec;
+use crate::model::LinkId;
 
 /// A column depends on earlier ones if the rest is smaller than this, relative to the column. The columns of states that
 /// differ by half a radian have condition numbers below a million for the robots tested.
@@ -15,6 +17,8 @@ const DEPENDENT: f64 = 1e-8;
 const ZERO: f64 = 1e-12;
 /// The number of equations for each parameter.
 const EQUATIONS: usize = 2;
+/// The number of inertial parameters of a rigid body in space.
+const INERTIAL: usize = 10;
 
 impl DryRun {
     /// Returns the indices of the first dynamic parameters whose columns are independent.
@@ -42,16 +46,16 @@ impl DryRun {
         (0..columns.len()).filter(|&k| is_new(&columns[k])).collect()
     }
 
-    /// Returns the columns of the regressor, stacked over states near the start.
+    /// Returns the columns of the regressor, stacked over states near the start, with all inputs in motion.
     fn stacked(&self) -> Vec<Vec<f64>> {
         let count = self.chain.dynamic_parameters().len();
         let rates = self.merged.dof_count().max(1);
         let mut columns = vec![Vec::new(); count];
-        for seed in 1..=(EQUATIONS * count).div_ceil(rates) + 1 {
-            let any = |number: usize| Number::variable(4.0 * low_discrepancy(number, seed) - 2.0);
-            let pose = self.pose(&self.values, seed);
-            let v: Vec<Number> = (0..rates).map(|k| any(100 + k)).collect();
-            let accelerations: Vec<Number> = (0..rates).map(|k| any(1000 + k)).collect();
+        for seed in 1..=self.states(count) {
+            let pose = self.pose_in_motion(seed);
+            let v: Vec<Number> = (0..rates).map(|k| near_zero(100 + k, seed)).collect();
+            let accelerations: Vec<Number> =
+                (0..rates).map(|k| near_zero(1000 + k, seed)).collect();
             let state = (&pose.q[..], &v[..], &pose.inputs[..]);
             let context = self.context(&self.merged, &self.values, state);
             let context = context.with_accelerations(&accelerations);
@@ -61,6 +65,35 @@ impl DryRun {
             }
         }
         columns
+    }
+
+    /// Returns the number of states, so that there are [`EQUATIONS`] for each parameter.
+    ///
+    /// Links that move relative to each other by prescribed motions only are a group. The parameters of all its links are
+    /// independent, but only the rates of the hinge of its first link, and those inboard of it, have equations with
+    /// them.
+    fn states(&self, count: usize) -> usize {
+        let rates = self.merged.dof_count().max(1);
+        let mut first: IdVec<LinkId, Option<LinkId>> = IdVec::default();
+        let mut sizes: Vec<(LinkId, usize)> = Vec::new();
+        for (id, link) in self.merged.links.enumerate() {
+            let is_driven = self.merged.v[link.hinge].is_empty();
+            let of_group =
+                if is_driven { link.parent.and_then(|parent| first[parent]) } else { Some(id) };
+            first.push(of_group);
+            match sizes.iter_mut().find(|(group, _)| Some(*group) == of_group) {
+                Some((_, size)) => *size += 1,
+                None => sizes.extend(of_group.map(|group| (group, 1))),
+            }
+        }
+        let of_group = |&(group, size): &(LinkId, usize)| {
+            let own = self.merged.v[self.merged.links[group].hinge].len();
+            (EQUATIONS * INERTIAL * size).div_ceil(own)
+        };
+        // A group of one link has fewer independent parameters.
+        let groups = sizes.iter().filter(|(_, size)| *size > 1);
+        let average = (EQUATIONS * count).div_ceil(rates);
+        groups.map(of_group).fold(average, usize::max) + 1
     }
 }
 

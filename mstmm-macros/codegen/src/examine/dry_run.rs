@@ -34,6 +34,14 @@ pub(super) fn low_discrepancy(number: usize, seed: usize) -> f64 {
     (number as f64 * seed as f64 * 0.618_033_988_749_895).fract()
 }
 
+/// The number of the first input among the numbers of a motion, above those of rates and accelerations.
+const OF_INPUTS: usize = 10_000;
+
+/// Returns evenly spread numbers from −2 to 2.
+pub(super) fn near_zero(number: usize, seed: usize) -> Number {
+    Number::variable(4.0 * low_discrepancy(number, seed) - 2.0)
+}
+
 /// Returns the deviation of a coordinate from the start: zero for the first seed, up to a half for
 /// others.
 fn deviation(number: usize, seed: usize) -> f64 {
@@ -129,6 +137,27 @@ impl DryRun {
     /// Returns the start with prescribed motions at rest, or a configuration near it.
     pub fn pose(&self, values: &SymbolValues<Number>, seed: usize) -> Configuration {
         Configuration { q: self.coordinates(values, seed), inputs: self.inputs(seed) }
+    }
+
+    /// Returns a pose near the start in which prescribed motions have rates and accelerations, and all
+    /// other inputs have values, from −2 to 2.
+    pub fn pose_in_motion(&self, seed: usize) -> Configuration {
+        let mut pose = self.pose(&self.values, seed);
+        for input in &self.merged.inputs {
+            let first = match input.what {
+                InputKind::Motion(hinge) => {
+                    input.range.start + self.chain.hinges[hinge].kind.coordinates()
+                }
+                InputKind::Gravity
+                | InputKind::Efforts(_)
+                | InputKind::Force(_)
+                | InputKind::Torque(_) => input.range.start,
+            };
+            for index in first..input.range.end {
+                pose.inputs[index] = near_zero(OF_INPUTS + index, seed);
+            }
+        }
+        pose
     }
 
     /// Returns the start, or coordinates that differ from it by up to a half.

@@ -160,7 +160,10 @@ fn names(cx: &EmitContext) -> TokenStream {
         /// The names of the dynamic parameters, by the columns of the regressor.
         #visibility const DYNAMIC_PARAMETERS: [&'static str; #columns] = [#(#names),*];
         /// The indices of dynamic parameters whose columns are independent: the base parameters. The column of every other
-        /// parameter is in every state a combination of columns before it, so no motion can tell its value from theirs.
+        /// parameter is a combination of columns before it, in every state and for all inputs, so no motion can tell its
+        /// value from theirs. Prescribed motions and gravity as an input must vary for all base parameters to be identified.
+        /// States of a closed chain need not fulfil its loop constraints.
+        ///
         /// Found numerically, with parameters at their defaults; empty if the description has Rust constants.
         #visibility const BASE_PARAMETERS: [usize; #base_count] = [#(#base),*];
     }
