@@ -137,6 +137,40 @@ fn kinks_have_the_derivative_of_the_side_of_the_sign() {
     assert_eq!(chosen.derivative().to_array(), [6.0, 2.0, 2.0, 2.0]);
 }
 
+/// The slope of a square root at zero is infinite, but a zero that does not change has a root that does not change.
+#[test]
+fn the_root_of_zero_has_the_derivative_of_what_does_not_change() {
+    let [x, y] = Dual::variables([0.0f64, 3.0]);
+    assert_eq!(Dual::<f64, 2>::default().sqrt(), Dual::default());
+    assert!(!x.sqrt().is_finite());
+    // The length of a vector of zero has a kink.
+    assert_eq!((x * x).sqrt(), Dual::default());
+    // Each derivative separately.
+    assert_eq!((x * y).sqrt().derivatives.map(f64::is_finite), [false, true]);
+    assert_eq!((x * y).sqrt().derivatives[1], 0.0);
+    assert!((-y).sqrt().value.is_nan());
+    assert!((-y).sqrt().derivatives[1].is_nan());
+    assert!(Dual::new(0.0, [f64::NAN]).sqrt().derivative().is_nan());
+
+    // Each lane separately, with the bits of numbers.
+    let (values, slopes) = ([4.0, 0.0, 0.0, -0.0], [1.0, 0.0, 2.0, -0.0]);
+    let lanes = Dual::new(f64x4::new(values), [f64x4::new(slopes)]).sqrt();
+    for lane in 0..4 {
+        let number = Dual::new(values[lane], [slopes[lane]]).sqrt();
+        assert_eq!(lanes.value.to_array()[lane].to_bits(), number.value.to_bits());
+        let derivative = lanes.derivative().to_array()[lane];
+        assert_eq!(derivative.to_bits(), number.derivative().to_bits());
+    }
+    assert_eq!(lanes.derivative().to_array(), [0.25, 0.0, f64::INFINITY, 0.0]);
+
+    // Second derivatives: of a constant, and of a length with a kink, whose slope jumps.
+    let second = Dual::variable(Dual::variable(0.0f64));
+    assert_eq!((second - second).sqrt(), Dual::default());
+    let length = (second * second).sqrt();
+    assert_eq!((length.value.value, length.derivative().value), (0.0, 0.0));
+    assert!(!length.derivative().derivative().is_finite());
+}
+
 /// The angle depends on the direction only: scaling by powers of two scales its derivative by their inverse.
 #[test]
 fn the_derivative_of_an_angle_neither_overflows_nor_vanishes() {
@@ -159,7 +193,6 @@ fn a_number_is_finite_if_its_derivatives_are() {
     assert!(Dual::new(1.0f64, [2.0, 3.0]).is_finite());
     assert!(!Dual::new(1.0f64, [2.0, f64::NAN]).is_finite());
     assert!(!Dual::new(f64::INFINITY, [2.0, 3.0]).is_finite());
-    assert!(!Dual::variable(0.0f64).sqrt().is_finite());
     let lanes = Dual::new(f64x4::splat(1.0), [f64x4::new([0.0, f64::NAN, 1.0, f64::INFINITY])]);
     let kept = f64x4::select(lanes.is_finite(), f64x4::splat(1.0), f64x4::splat(0.0));
     assert_eq!(kept.to_array(), [1.0, 0.0, 1.0, 0.0]);

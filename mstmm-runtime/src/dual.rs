@@ -2,7 +2,7 @@
 
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::Scalar;
+use crate::{Mask, Scalar};
 
 /// A dual number: a value and its derivatives with respect to `K` variables, which every operation computes exactly.
 ///
@@ -87,8 +87,12 @@ use crate::Scalar;
 /// [`copysign`](Scalar::copysign) and [`abs`](Scalar::abs) have the derivative of the side that the sign bit chooses,
 /// also at zero: `abs` has the slope 1 at `+0` and −1 at `−0`. Comparisons and [`select`](Scalar::select) look at
 /// values only, so a result has the derivative of the branch that computes its value. Friction and limits in
-/// hinges are functions of this kind. The derivative of a square root at zero, of an angle at the origin and of a
-/// reciprocal at zero is not finite.
+/// hinges are functions of this kind. The derivative of an angle at the origin and of a reciprocal at zero is not
+/// finite.
+///
+/// The derivative of a square root at zero is zero if the derivative of its argument is zero, otherwise it is not finite.
+/// The root of a constant zero is thus a constant. A length √(x² + y²) has a kink at zero, where its derivatives are
+/// zero; its second derivatives are not finite there.
 ///
 /// A dual number is finite if its value and all its derivatives are. A chain returns
 /// [`Error::NotFinite`](crate::Error::NotFinite) where a result has no derivative.
@@ -140,6 +144,18 @@ impl<T: Scalar, const K: usize> Dual<T, K> {
     #[inline]
     fn chained(self, value: T, slope: T) -> Self {
         Self { value, derivatives: self.derivatives.map(|derivative| slope * derivative) }
+    }
+
+    /// Returns the square root `root`, with a derivative of zero where the value and this derivative of `self` are zero.
+    ///
+    /// The slope is infinite there, and its product with zero is NaN.
+    #[cold]
+    fn root_of_zero(self, root: Self) -> Self {
+        let is_zero = |number: T| !number.abs().simd_gt(T::constant(0.0));
+        let at_zero = is_zero(self.value);
+        // The root of a nested derivative is zero too, and is not finite unless its own derivatives are zero.
+        let root_of = |a: T, slope: T| T::select(at_zero & is_zero(a), a.sqrt(), slope);
+        Self::joined(root.value, self, root, root_of)
     }
 }
 
@@ -285,11 +301,12 @@ impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
         self.chained(value, (value * value).negate())
     }
 
-    /// (√a)' = a'/(2√a).
+    /// (√a)' = a'/(2√a), and zero if a and a' are zero.
     #[inline]
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
-        self.chained(value, (value + value).recip())
+        let root = self.chained(value, (value + value).recip());
+        if self.value.simd_gt(T::constant(0.0)).all() { root } else { self.root_of_zero(root) }
     }
 
     #[inline]
