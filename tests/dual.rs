@@ -4,6 +4,10 @@
 #[path = "support/double_double_scalar.rs"]
 mod double_double;
 
+mod dual {
+    mod closed;
+}
+
 use double_double::DoubleDouble;
 use mstmm::lanes::NativeF64;
 use mstmm::wide::f64x4;

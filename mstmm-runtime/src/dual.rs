@@ -101,6 +101,8 @@ use crate::{Mask, Scalar};
 ///
 /// The step size of [`Dopri5`](crate::Dopri5) and the rank of redundant loop constraints follow from the values.
 /// Their derivatives are those of the numerical method at this choice.
+/// [`assemble`](crate::GeneratedChain::assemble) corrects derivatives once more when the values are closed, so that the
+/// derivatives satisfy the loop constraints too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias("autodiff", "AutoDiffXd", "automatic differentiation", "dual number", "dual numbers"))]
 #[doc(alias("forward mode", "gradient", "Jet", "ForwardDiff", "num_dual"))]
@@ -257,6 +259,7 @@ impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
     type Pack = Self;
 
     const LANES: usize = T::LANES;
+    const DERIVATIVE_ORDER: usize = T::DERIVATIVE_ORDER + 1;
 
     #[inline]
     fn constant(value: f64) -> Self {
@@ -362,6 +365,12 @@ impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
     fn select(mask: T::Mask, if_true: Self, if_false: Self) -> Self {
         let value = T::select(mask, if_true.value, if_false.value);
         Self::joined(value, if_true, if_false, |a, b| T::select(mask, a, b))
+    }
+
+    #[inline]
+    fn with_derivatives_of(self, other: Self) -> Self {
+        let value = self.value.with_derivatives_of(other.value);
+        Self { value, derivatives: other.derivatives }
     }
 
     #[inline]

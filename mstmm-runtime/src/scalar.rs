@@ -70,6 +70,12 @@ pub trait Scalar:
     /// The number of lanes: a chain of this scalar type computes as many states at once.
     const LANES: usize = 1;
 
+    /// The order of the derivatives that a number carries: 0 without derivatives, 1 for a dual number, 2 for a dual number
+    /// of dual numbers.
+    ///
+    /// [`assemble`](crate::GeneratedChain::assemble) makes as many further corrections when the values are closed.
+    const DERIVATIVE_ORDER: usize = 0;
+
     /// Returns the number nearest to `value`. For a literal it is computed at compile time.
     fn constant(value: f64) -> Self;
 
@@ -149,6 +155,12 @@ pub trait Scalar:
 
     /// Returns `if_true` for each lane where `mask` is true, and `if_false` for the others.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
+
+    /// Returns `self` with the derivatives of `other`; `self` for a type without derivatives.
+    #[inline(always)]
+    fn with_derivatives_of(self, _other: Self) -> Self {
+        self
+    }
 
     /// Returns the largest lane, or NaN if a lane is NaN.
     ///

@@ -19,7 +19,8 @@ const MAX_CORRECTIONS: u32 = 50;
 ///
 /// The chain is closed if the distance is at most 64 ε. It is also closed if the distance has stopped decreasing and
 /// is at most ε^⅝, which is 1.6·10⁻¹⁰ in double and 4.7·10⁻⁵ in single precision, because long chains have more
-/// rounding. The lane with the largest distance decides.
+/// rounding. The lane with the largest distance decides. The derivatives of dual numbers converge after the values, and
+/// are corrected further.
 ///
 /// # Errors
 /// [`Error::NotAssembled`] if the chain is not closed after 50 corrections, or if the distance is not finite, and
@@ -42,9 +43,13 @@ pub fn assemble<S: ChainState>(
         let distance = residual[0].max_lane();
         let is_closed = distance <= closed || (distance <= near && distance >= before);
         let is_last = correction + 1 == MAX_CORRECTIONS && distance <= near;
-        let sum = <S::Scalar as Scalar>::sum(&[state.coordinates(), state.rates()]);
-        if (is_closed || is_last) && sum.is_finite().all() {
-            let checked = check_rank(residual, hinge);
+        if (is_closed || is_last) && is_finite(state) {
+            correct_derivatives(state, correct);
+            let checked = if is_finite(state) {
+                check_rank(residual, hinge)
+            } else {
+                Err(Error::NotAssembled)
+            };
             if checked.is_err() {
                 *state = start;
             }
@@ -57,6 +62,30 @@ pub fn assemble<S: ChainState>(
     }
     *state = start;
     Err(Error::NotAssembled)
+}
+
+/// Corrects the derivatives of a state whose values are closed, and leaves the values unchanged.
+///
+/// The last correction made the derivatives of the coordinates exact to first order. Those of the rates follow with the
+/// next one, and each correction makes one more order exact.
+fn correct_derivatives<S: ChainState>(
+    state: &mut S,
+    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
+) {
+    for _ in 0..S::Scalar::DERIVATIVE_ORDER {
+        let mut next = state.clone();
+        correct(&mut next);
+        let join = |to: &mut [S::Scalar], from: &[S::Scalar]| {
+            to.iter_mut().zip(from).for_each(|(to, &from)| *to = to.with_derivatives_of(from));
+        };
+        join(state.coordinates_mut(), next.coordinates());
+        join(state.rates_mut(), next.rates());
+    }
+}
+
+/// Returns whether all coordinates and rates are finite.
+fn is_finite<S: ChainState>(state: &S) -> bool {
+    <S::Scalar as Scalar>::sum(&[state.coordinates(), state.rates()]).is_finite().all()
 }
 
 /// Fails if directions of a closing hinge that count as redundant are independent.
