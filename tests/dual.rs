@@ -203,6 +203,34 @@ fn a_number_is_finite_if_its_derivatives_are() {
 }
 
 mstmm_chain! {
+    chain Passing {
+        body Car { mass = 1 kg; com = [0, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }
+        ground -> slider(x) track -> Car car;
+        spring cord { on = car.com; to = [0, 0, 0] m; stiffness = 2 N/m; length = 0.5 m; }
+    }
+}
+
+/// The ends of the spring coincide: no force, and the derivative of a length that is smoothed over 1e-15 m.
+#[test]
+fn a_spring_whose_ends_coincide_has_finite_derivatives() -> Result<(), Error> {
+    let chain = Passing::<Dual<f64>>::new();
+    let derivative = |place: Dual<f64>| {
+        let (mut state, mut rate) = (chain.initial_state(), chain.initial_state());
+        state.coordinates_mut().fill(place);
+        chain.derivative_into(&state, &chain.no_inputs(), &mut rate)?;
+        Ok(rate.rates()[0])
+    };
+    let still = derivative(Dual::from(0.0))?;
+    assert_eq!((still.value, still.derivative()), (0.0, 0.0));
+    let (jump, smooth) = (derivative(Dual::variable(0.0))?, derivative(Dual::variable(0.7))?);
+    assert_eq!(jump.value, 0.0);
+    assert!((jump.derivative() * 1e-15 - 2.0 * 0.5).abs() < 1e-12);
+    // k (x − L) beyond the jump.
+    assert!((smooth.value + 2.0 * 0.2).abs() < 1e-14 && (smooth.derivative() + 2.0).abs() < 1e-14);
+    Ok(())
+}
+
+mstmm_chain! {
     chain Arm {
         gravity = [0.5, -0.3, -9.81] m/s^2;
         param load = 3 kg;

@@ -94,6 +94,9 @@ use crate::{Mask, Scalar};
 /// The root of a constant zero is thus a constant. A length √(x² + y²) has a kink at zero, where its derivatives are
 /// zero; its second derivatives are not finite there.
 ///
+/// The force of a spring whose ends coincide jumps if its free length is not zero. Its derivatives there are finite, but
+/// are those of a length that is smoothed over 1e-15 m: stiffness times free length over 1e-15 m.
+///
 /// A dual number is finite if its value and all its derivatives are. A chain returns
 /// [`Error::NotFinite`](crate::Error::NotFinite) where a result has no derivative.
 ///
