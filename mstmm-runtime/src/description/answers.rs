@@ -263,6 +263,9 @@ pub trait Answers: Described {
     ///
     /// [`Answer::given`] is the number of given values. The parts of the result follow each other in `result`, each
     /// column by column.
+    ///
+    /// Lengths of quaternions are not tested for most answers. Call [`Chain::check_state`](crate::Chain::check_state) and
+    /// [`Chain::check_inputs`](crate::Chain::check_inputs) where they may be wrong.
     fn answer(
         &self,
         answer: Answer,

@@ -12,6 +12,10 @@ use nalgebra::{SMatrix, SVector};
 /// A row counts as dependent on others if less than `tolerance` of its length is left when they are removed from it. The basis is
 /// found by Gram-Schmidt orthogonalisation, twice for each vector, with the longest remaining vector first. It has no lanes,
 /// since the dimension is the same for all of them.
+///
+/// Entries are not tested. A row with an entry that is not finite, or with a squared length that overflows or vanishes, counts
+/// as dependent: the result is then the null space of the other rows. Scale rows with entries beyond 1e150 or below 1e-150, in
+/// `f32` 1e18 and 1e-18.
 #[doc(alias("kernel", "tangent space", "constraint null space", "QR"))]
 pub fn null_space<T, const R: usize, const N: usize>(
     matrix: &SMatrix<T, R, N>,
@@ -100,4 +104,28 @@ fn length<T: Scalar, const N: usize>(vector: &SVector<T, N>) -> T {
 fn unit<T: Scalar, const N: usize>(number: usize) -> SVector<T, N> {
     let entry = |k: usize| T::constant(if k == number { 1.0 } else { 0.0 });
     crate::generated::vector(core::array::from_fn(entry))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::null_space;
+    use nalgebra::SMatrix;
+
+    /// The rows that remain are independent, so the null space has one dimension more for each row that does not count.
+    #[test]
+    fn rows_that_overflow_vanish_or_are_not_numbers_do_not_count() {
+        let first = SMatrix::<f64, 1, 3>::new(0.0, 1.0, 2.0);
+        for entry in [f64::NAN, f64::INFINITY, 1e200, 1e-200] {
+            let mut matrix = SMatrix::<f64, 2, 3>::zeros();
+            matrix.set_row(0, &first);
+            matrix[(1, 0)] = entry;
+            let (basis, dimension) = null_space(&matrix, 1e-9);
+            assert_eq!(dimension, 2, "{entry}");
+            // Sums of three products of numbers up to two.
+            assert!((first * basis).amax() < 1e-15, "{entry}: {basis}");
+            let square = basis.transpose() * basis;
+            let unit = SMatrix::<f64, 3, 3>::from_fn(|i, j| f64::from(u8::from(i == j && i < 2)));
+            assert!((square - unit).amax() < 1e-15, "{entry}: {basis}");
+        }
+    }
 }

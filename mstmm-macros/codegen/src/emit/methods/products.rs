@@ -76,8 +76,9 @@ pub(super) fn pull(cx: &EmitContext) -> MethodTemplate {
                 /// # Errors
                 ///
                 /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
-                /// `Error::NotFinite` if the state, the inputs or the weights are not finite. Both results are
-                /// then unchanged.
+                /// `Error::NotFinite` if the state, the inputs, the weights, the accelerations or the derivatives by
+                /// the coordinates are not finite. Both results are then unchanged. Derivatives by rates, inputs and
+                /// parameters are not tested: they may overflow where a length or a rate exceeds 1e150, in `f32` 1e18.
             },
         ],
         arguments: quote!(#given #lent gradient_: &mut #variation<T>,),
