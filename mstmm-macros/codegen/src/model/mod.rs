@@ -13,6 +13,7 @@ mod dynamic_parameters;
 mod hinge;
 mod inertia;
 mod layout;
+mod length;
 mod limbs;
 mod load;
 mod lower;
@@ -92,6 +93,8 @@ pub struct Chain {
     pub results: Results,
     /// What the description asks for beside the functions that every chain has, each once.
     pub requests: Vec<Request>,
+    /// The squared lengths of the quaternions written, as far as they are not known.
+    pub quaternions: Vec<Value>,
     /// Requirements on Rust constants, whose values only `rustc` knows.
     pub assertions: Vec<Requirement>,
 }

@@ -2,6 +2,7 @@
 //! those that depend on Rust constants, and setters those that depend on parameters.
 
 use super::condition::{Bound, Condition};
+use super::length::{self, BOUNDS};
 use super::lower::FieldNames;
 use super::{Body, Chain, Hinge, Limits, Passive, RepeatId, Spring, Value};
 use crate::diag::SpanRange;
@@ -148,11 +149,36 @@ impl Chain {
         let springs = self.springs.iter();
         let springs = springs
             .flat_map(|spring| with_part(self.repeat_of_body(spring.on.body), of_spring(spring)));
-        let mut checks: Vec<Check> = bodies.chain(hinges).chain(springs).collect();
+        let quaternions = self.quaternions.iter();
+        let quaternions = quaternions.filter_map(|square| self.of_quaternion(square));
+        let mut checks: Vec<Check> =
+            bodies.chain(hinges).chain(springs).chain(quaternions).collect();
         // A loop over the repetitions of a part writes to one slice of checks.
         checks.sort_by_key(|check| check.part);
         checks
     }
+
+    /// Returns the check of the squared length of a quaternion.
+    fn of_quaternion(&self, square: &Value) -> Option<Check> {
+        let mut repeated = (0..self.parameters.len()).filter(|&parameter| {
+            self.parameters[parameter].repetitions.is_some() && square.uses(parameter)
+        });
+        let part = match repeated.next() {
+            None => None,
+            // A body that no route has may use a parameter of no part.
+            Some(parameter) => Some(self.repeat_of_parameter(parameter)?),
+        };
+        Some(Check { part, ..of_length(square.clone(), "a quaternion")? })
+    }
+}
+
+/// Returns the check of the squared length of an axis or a quaternion, which is normalised; `None` if the compiler has
+/// checked it.
+fn of_length(square: Value, of: &str) -> Option<Check> {
+    let reason = format!("must leave the length of {of} {BOUNDS}");
+    let check =
+        |value| Check { value: length::margin(value), must: Bound::BePositive, reason, part: None };
+    square.known().is_none().then(|| check(square))
 }
 
 /// Returns the checks of a body. The triangle inequality of the moments is not checked: parameters
@@ -165,7 +191,9 @@ fn of_body(body: &Body) -> Vec<Check> {
 
 fn of_hinge(hinge: &Hinge) -> Vec<Check> {
     let owner = format!("hinge `{}`", hinge.name);
-    let mut checks: Vec<Check> = Vec::new();
+    let lengths = hinge.kind.axes().iter().map(|axis| length::squared(axis));
+    let mut checks: Vec<Check> =
+        lengths.filter_map(|square| of_length(square, &format!("the axis of {owner}"))).collect();
     for passive in &hinge.passive {
         let numbers = PASSIVE
             .iter()

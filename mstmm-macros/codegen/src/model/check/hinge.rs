@@ -2,6 +2,7 @@
 
 use crate::diag::Diagnostics;
 use crate::model::condition::{Bound, Condition, Requirement};
+use crate::model::length::{self, scaled};
 use crate::model::lower::{Draft, RouteItem, Spanned, groups};
 use crate::model::{Drive, HingeKind, Representation, Value};
 use crate::syntax::{ArgumentsSyntax, FieldSyntax, OrientationSyntax, SpanRange, ValueSyntax};
@@ -32,13 +33,12 @@ fn argument(
     syntax.map_or(hinge.at, |syntax| syntax.extent())
 }
 
-/// Requires axes that are not zero.
+/// Requires axes that are not zero, and whose squares neither overflow nor vanish.
 pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
     let direction = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let direction = |(index, axis): (usize, &[Value; 3])| {
             let at = argument(hinge, arguments, index);
-            let message = "an axis of zeros has no direction";
-            vec![Condition::new(square(axis), Bound::BePositive, at, message)]
+            length::requirement(&scaled(axis), at, "an axis", "an axis of zeros has no direction")
         };
         hinge.value.axes().iter().enumerate().map(direction).collect::<Vec<_>>()
     };
@@ -63,22 +63,9 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
     hinges(draft).filter_map(not_parallel).collect()
 }
 
-/// Scales a known axis to a largest component of ±1, so that squares neither overflow nor
-/// underflow.
-fn scaled(axis: &[Value; 3]) -> [Value; 3] {
-    let components = axis.iter().map(|component| component.known().map(f64::abs));
-    match components.reduce(|a, b| Some(a?.max(b?))).flatten() {
-        Some(largest) if largest > 0.0 => {
-            axis.clone().map(|component| component.over(Value::number(largest)))
-        }
-        _ => axis.clone(),
-    }
-}
-
 /// Returns the squared length of an axis, which is scaled if it is known.
 fn square(axis: &[Value; 3]) -> Value {
-    let [x, y, z] = scaled(axis).map(|component| component.clone().times(component));
-    x.plus(y).plus(z)
+    length::squared(&scaled(axis))
 }
 
 fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {

@@ -27,6 +27,8 @@ pub(super) struct Context<'a> {
     pub complete: bool,
     /// Requirements on values that are not known.
     pub requirements: Vec<Requirement>,
+    /// The squared lengths of quaternions, each once, as far as they are not known.
+    pub quaternions: Vec<Value>,
     /// Fields that have been read.
     read: HashSet<*const FieldSyntax>,
     /// Fields with a reported error: several hinges may share a field.
@@ -81,6 +83,7 @@ impl<'a> Context<'a> {
             diagnostics,
             complete,
             requirements: Vec::new(),
+            quaternions: Vec::new(),
             read: HashSet::new(),
             faulty: HashSet::new(),
         }

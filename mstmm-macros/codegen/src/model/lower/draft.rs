@@ -31,6 +31,8 @@ pub(crate) struct Draft<'a> {
     pub space: Dimension,
     /// Requirements on its values, from reading them.
     pub requirements: Vec<Requirement>,
+    /// The squared lengths of its quaternions, as far as they are not known.
+    pub quaternions: Vec<Value>,
     /// Settings of the whole chain.
     pub settings: Settings,
     /// Parameters: values that may change at run time.
@@ -112,6 +114,7 @@ impl<'a> Draft<'a> {
             method: self.settings.method.as_ref().map(|method| method.value),
             results: self.settings.results,
             requests: self.settings.requests.iter().map(|request| request.value).collect(),
+            quaternions: self.quaternions,
             assertions: Vec::new(),
         })
     }

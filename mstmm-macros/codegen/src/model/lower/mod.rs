@@ -84,6 +84,7 @@ pub(super) fn draft<'a>(
     let requirements = std::mem::take(&mut context.requirements);
     let unused = def.parameters.iter().zip(&context.parameters).filter(|(_, known)| !known.is_used);
     let unused_parameters = unused.map(|(def, _)| &def.field.name).collect();
+    let quaternions = std::mem::take(&mut context.quaternions);
     let passthrough = Passthrough {
         visibility: def.visibility.clone(),
         attributes: def.attributes.clone(),
@@ -96,6 +97,7 @@ pub(super) fn draft<'a>(
         def,
         space,
         requirements,
+        quaternions,
         settings,
         parameters,
         unused_parameters,

@@ -4,8 +4,7 @@ use super::context::Context;
 use super::dimension::{ANGLE, COMPONENT, LENGTH};
 use super::vector::zeros;
 use crate::diag::did_you_mean;
-use crate::model::condition::{Bound, Condition};
-use crate::model::{Dimension, Frame, Value};
+use crate::model::{Dimension, Frame, Value, length};
 use crate::syntax::{FormSyntax, OrientationSyntax, ValueSyntax};
 
 /// An orientation in one of its representations.
@@ -33,9 +32,12 @@ fn quaternion(context: &mut Context, form: &FormSyntax) -> Option<Orientation> {
     if entries.iter().all(Value::is_zero) {
         return context.refuse(form.list.extent, ZERO_QUATERNION);
     }
-    let (square, at) = (squared_length(&entries), form.list.extent);
-    let condition = Condition::new(square, Bound::BePositive, at, ZERO_QUATERNION);
-    context.requirements.push(vec![condition]);
+    let entries = length::within_bounds(entries);
+    let (square, at) = (length::squared(&entries), form.list.extent);
+    if square.known().is_none() && !context.quaternions.contains(&square) {
+        context.quaternions.push(square);
+    }
+    context.requirements.push(length::requirement(&entries, at, "a quaternion", ZERO_QUATERNION));
     Some(Orientation::Quaternion(entries))
 }
 
@@ -200,7 +202,7 @@ fn rpy_quaternion(angles: &[Value; 3]) -> [Value; 4] {
 /// The homogeneous form, divided by the squared length: without a root, so that right angles
 /// written as `quaternion(1, 1, 0, 0)` are exact.
 fn quaternion_rotation(entries: &[Value; 4]) -> [[Value; 3]; 3] {
-    let square = squared_length(entries);
+    let square = length::squared(entries);
     let product = |a: usize, b: usize| entries[a].clone().times(entries[b].clone());
     let double = |value: Value| value.times(Value::number(2.0));
     [0, 1, 2].map(|row| {
@@ -223,14 +225,8 @@ fn quaternion_rotation(entries: &[Value; 4]) -> [[Value; 3]; 3] {
     })
 }
 
-fn squared_length(entries: &[Value]) -> Value {
-    entries
-        .iter()
-        .fold(Value::number(0.0), |sum, entry| sum.plus(entry.clone().times(entry.clone())))
-}
-
 fn normalised(entries: &[Value; 4]) -> [Value; 4] {
-    let length = squared_length(entries).sqrt();
+    let length = length::squared(entries).sqrt();
     entries.clone().map(|entry| entry.over(length.clone()))
 }
 

@@ -53,3 +53,37 @@ fn setters_check_the_rules_of_the_compiler() {
         ]
     );
 }
+
+/// Quaternions count once, and known ones not at all.
+#[test]
+fn setters_check_the_lengths_of_axes_and_quaternions() {
+    let (chain, _) = chain(
+        "chain Bent {
+            param tilt = 1;
+            param each[2] = 1;
+            body Link {
+                mass = 1 kg;
+                com = [0, 0, 0];
+                inertia = diag(1, 1, 1) about com;
+                output = [1, 0, 0] turned quaternion(1, tilt, 0, 0);
+            }
+            ground turned quaternion(1, 1, 0, 0) -> universal(x, [0, tilt, 1]) edge -> Link leaf
+                -> repeat 2 { pin([each, 0, 0]) fold -> Link part };
+        }",
+    );
+    let asked: Vec<String> = chain
+        .checks()
+        .iter()
+        .map(|Check { reason, part, .. }| {
+            format!("{}: {reason}", part.map_or("once".into(), |part| part.index().to_string()))
+        })
+        .collect();
+    assert_eq!(
+        asked,
+        [
+            "once: must leave the length of the axis of hinge `edge` between 1e-15 and 1e15",
+            "once: must leave the length of a quaternion between 1e-15 and 1e15",
+            "0: must leave the length of the axis of hinge `fold` between 1e-15 and 1e15",
+        ]
+    );
+}

@@ -3,7 +3,7 @@
 use crate::model::lower::context::Context;
 use crate::model::lower::dimension::NUMBER;
 use crate::model::lower::vector::zeros;
-use crate::model::{Dimension, Value};
+use crate::model::{Dimension, Value, length};
 use crate::syntax::{ExprKind, ExprSyntax, ValueSyntax};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
@@ -36,7 +36,7 @@ pub(super) fn is_axis(syntax: &ValueSyntax) -> bool {
 /// An axis: a word or a vector. In a plane chain it lies in the plane.
 pub(super) fn axis(syntax: &ValueSyntax, context: &mut Context) -> Option<[Value; 3]> {
     if let ValueSyntax::Vector(_) = syntax {
-        return context.read_vector(syntax, NUMBER);
+        return context.read_vector(syntax, NUMBER).map(length::within_bounds);
     }
     let axis = word(syntax).filter(|(_, index)| context.space.translations().contains(index));
     let Some((sign, index)) = axis else {
