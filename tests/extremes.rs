@@ -5,7 +5,7 @@ mod support;
 
 use mstmm::description::Origin;
 use mstmm::prelude::*;
-use mstmm::{Error, GeneratedChain};
+use mstmm::{Error, GeneratedChain, Mask, Scalar};
 use mstmm_reference::Random;
 
 mstmm_chain! {
@@ -60,6 +60,16 @@ mstmm_chain! {
             inertia = diag(1e-9, 1/12, 1/12) kg*m^2 about com; }
         ground -> pin(x) spin -> Rod rod;
         hinge spin { torque = input; }
+    }
+
+    /// A chain with large matrices, whose entries are tested only if a coordinate, a rate or an acceleration is large.
+    chain Snake {
+        answers = [mass_matrix, jacobian, regressor, derivatives];
+        param mass = 1;
+        body Arm { mass = mass * 1 kg; com = [0.5, 0.1, 0] m; output = [1, 0, 0] m;
+            inertia = diag(0.1, 0.2, 0.2) kg*m^2 about com; }
+        ground -> ball shoulder -> Arm upper -> slider(x) rail -> Arm middle -> ball wrist -> Arm hand -> slider(y) grip
+            -> Arm finger -> pin(z) tip -> Arm nail;
     }
 
     chain Lever {
@@ -171,4 +181,73 @@ fn a_gradient_with_accelerations_that_overflow_is_an_error() {
     let (mut accelerations, mut gradient) = (weights, CrankVariation::default());
     let found = chain.pull_into(&state, &inputs, &weights, &mut accelerations, &mut gradient);
     assert_eq!(found, overflow);
+}
+
+/// Fails unless a matrix function has results exactly if all of its entries are finite, with one number of the arguments
+/// multiplied by powers of ten.
+#[track_caller]
+fn is_right_at_any_scale<T: Scalar>(
+    largest: i32,
+    entries: impl Fn(&SnakeState<T>, &nalgebra::SVector<T, 9>, T) -> (Result<(), Error>, Vec<T>),
+) {
+    let mut random = Random::new(11);
+    let mut number = || T::constant(random.between(-1.0, 1.0));
+    let mut state = Snake::<T>::new().initial_state();
+    state.rates_mut().iter_mut().for_each(|rate| *rate = number());
+    let accelerations = nalgebra::SVector::from_fn(|_, _| number());
+    let (q, v) = (state.coordinates().len(), state.rates().len());
+    let mut found = [0; 2];
+    for place in 0..q + 2 * v + 1 {
+        for exponent in (-largest..=largest).step_by(3) {
+            let scale = T::constant(10.0_f64.powi(exponent));
+            let (mut state, mut accelerations) = (state.clone(), accelerations);
+            let mut mass = T::constant(1.0);
+            match place {
+                place if place < q => state.coordinates_mut()[place] += scale,
+                place if place < q + v => state.rates_mut()[place - q] *= scale,
+                place if place < q + 2 * v => accelerations[place - q - v] *= scale,
+                _ => mass = scale,
+            }
+            let (result, entries) = entries(&state, &accelerations, mass);
+            let are_finite = entries.iter().all(|entry| entry.is_finite().all());
+            let is_right = match result {
+                Ok(()) => are_finite,
+                Err(error) => !are_finite && error == Error::NotFinite(Origin::Result),
+            };
+            assert!(is_right, "number {place}, 1e{exponent}: {result:?}");
+            found[usize::from(are_finite)] += 1;
+        }
+    }
+    assert!(found[0] > 20 && found[1] > 200, "{found:?}");
+}
+
+/// Returns a chain with this mass, if the setter takes it.
+fn snake<T: Scalar>(mass: T) -> Snake<T> {
+    let mut chain = Snake::new();
+    // A mass with which results of the setup overflow is refused.
+    let _ = chain.set_mass(mass);
+    chain
+}
+
+fn matrices_at_any_scale<T: Scalar>(largest: i32) {
+    let none = |chain: &Snake<T>| chain.no_inputs();
+    is_right_at_any_scale::<T>(largest, |state, _, mass| {
+        let (chain, mut matrix) = (snake(mass), nalgebra::SMatrix::repeat(T::constant(0.0)));
+        let result = chain.mass_matrix_into(state, &none(&chain), &mut matrix);
+        (result, matrix.as_slice().to_vec())
+    });
+    is_right_at_any_scale::<T>(largest, |state, accelerations, mass| {
+        let (chain, mut found) = (snake(mass), SnakeInverseDynamicsDerivatives::default());
+        let inputs = none(&chain);
+        let result =
+            chain.inverse_dynamics_derivatives_into(state, accelerations, &inputs, &mut found);
+        (result, found.by_coordinates.as_slice().to_vec())
+    });
+}
+
+#[test]
+fn large_matrices_have_finite_entries_or_are_refused() {
+    matrices_at_any_scale::<f64>(300);
+    matrices_at_any_scale::<f32>(36);
+    matrices_at_any_scale::<mstmm::wide::f64x4>(300);
 }

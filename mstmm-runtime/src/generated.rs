@@ -26,8 +26,8 @@ pub use crate::not_asked_of_chain as not_asked;
 pub use crate::point::{PointSlots, vector_at};
 pub use crate::quaternion::{HingeQuaternions, check_quaternion, check_quaternions};
 pub use checks::{
-    PIVOT_ULPS, check_argument, check_finite, check_finite_slice, or_argument, pivot_error,
-    pivots_ok,
+    PIVOT_ULPS, are_below, check_argument, check_finite, check_finite_slice, check_stored,
+    or_argument, pivot_error, pivots_ok,
 };
 pub use columns::{MotorColumns, columns, columns_of_part, input_columns};
 pub use linkage::{assemble, check_rank, loop_closure, rank_steps};

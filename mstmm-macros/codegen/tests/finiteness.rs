@@ -5,8 +5,10 @@ mod common;
 
 use common::interpreter::{Arrays, Failed, run};
 use common::twins::{Numbers, Twin, Twins};
-use mstmm_codegen::model::Answer;
+use mstmm_codegen::compile::compile;
+use mstmm_codegen::model::{Answer, Layout};
 use mstmm_codegen::program::{Argument, ArrayRole, Failure, Procedure, Step};
+use mstmm_codegen::read_and_examine;
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -171,4 +173,44 @@ fn the_first_failure_is_reported() {
         let overflow = failed([1.0, 2.0, 3.0], Argument::Rates, 1e200);
         assert_eq!(overflow, Some(Failed::NotFinite), "{answer:?}");
     }
+}
+
+/// Returns for each answer of a chain whether its results are tested only if arguments are large.
+fn is_bounded(hinges: &str) -> impl Fn(Answer) -> bool {
+    let text = format!(
+        "chain Cubes {{ answers = [basic, regressor, derivatives, linearize];
+            body Cube {{ mass = 1 kg; com = [0.5, 0, 0] m; output = [1, 0, 0] m;
+                inertia = diag(1/6, 5/12, 5/12) kg*m^2 about input; }}
+            ground {hinges}; }}"
+    );
+    let tokens = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let chains = read_and_examine(tokens).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let (chain, findings) = &chains[0];
+    let compiled = compile(chain, findings, &Layout::of(chain));
+    move |answer| {
+        let function = compiled.find(answer).unwrap_or_else(|| panic!("{answer:?} is missing"));
+        let steps = &function.procedure.body;
+        let is_bounded = steps.iter().any(|step| matches!(step, Step::TestBounds(_)));
+        if is_bounded {
+            let last = steps.last();
+            let tests_results = |step: &Step| matches!(step, Step::CheckResults(check) if !check.unless_bounded.is_empty());
+            assert!(last.is_some_and(tests_results), "{answer:?}: results are tested when stored");
+        }
+        is_bounded
+    }
+}
+
+#[test]
+fn large_matrices_without_divisions_are_tested_if_arguments_are_large() {
+    let many = is_bounded(
+        "-> ball a -> Cube b -> ball c -> Cube d -> ball e -> Cube f -> ball g -> Cube h",
+    );
+    for answer in [Answer::MassMatrix, Answer::Regressor, Answer::InverseDynamicsDerivatives] {
+        assert!(many(answer), "{answer:?}");
+    }
+    for answer in [Answer::InverseMassMatrix, Answer::Linearization, Answer::InverseDynamics] {
+        assert!(!many(answer), "{answer:?}");
+    }
+    let few = is_bounded("-> ball a -> Cube b -> pin(z) c -> Cube d");
+    assert!(!few(Answer::MassMatrix));
 }

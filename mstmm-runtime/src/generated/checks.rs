@@ -53,6 +53,20 @@ pub fn pivots_ok<T: Scalar, const P: usize, const N: usize>(
     ok.all()
 }
 
+/// Returns whether the sum of the squares of all values is less than `square`, and so each of them less than its root. Dual
+/// numbers are never.
+#[inline(always)]
+pub fn are_below<T: Scalar, const N: usize>(values: [T; N], square: f64) -> bool {
+    let mut sums = [T::constant(0.0); 4];
+    for (number, value) in values.into_iter().enumerate() {
+        if let Some(sum) = sums.get_mut(number % 4) {
+            *sum = value.plus_square(*sum);
+        }
+    }
+    let [a, b, c, d] = sums;
+    T::constant(square).simd_gt((a + b) + (c + d)).all()
+}
+
 /// Returns the error if [`pivots_ok`] is false: the first hinge whose pivot vanishes, or a value that is not finite.
 ///
 /// It is a separate function so that the compiler sees that only an error follows.
@@ -97,6 +111,20 @@ pub fn check_finite_slice<C: Described, T: Scalar>(
     inputs: &C::Inputs,
 ) -> Result<(), Error> {
     if is_finite_slice(values) { Ok(()) } else { Err(not_finite::<C>(state, inputs)) }
+}
+
+/// Fails as [`check_finite`] does, for stored results of which some may not be finite.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+#[cold]
+#[inline(never)]
+pub fn check_stored<C: Described, T: Scalar>(
+    values: &[T],
+    state: &C::State,
+    inputs: &C::Inputs,
+) -> Result<(), Error> {
+    check_finite_slice::<C, T>(values, state, inputs)
 }
 
 /// Fails if an entry of an argument other than state and inputs, or the sum of all entries, is NaN or infinite.

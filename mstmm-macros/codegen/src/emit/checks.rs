@@ -2,11 +2,14 @@
 
 use super::EmitContext;
 use super::arrays::usize_literal;
+use super::names::helper;
 use super::printer::{Printer, flag};
 use crate::ids::InputId;
 use crate::model::InputKind;
-use crate::program::{Argument, ArrayId, ArrayRole, PivotTest, PivotValue, ResultCheck, Witness};
-use proc_macro2::TokenStream;
+use crate::program::{
+    Argument, ArrayId, ArrayRole, PivotTest, PivotValue, ResultCheck, ValueBound, Witness,
+};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 /// Prints the test that arguments are finite. It comes first: after other statements it would be a branch across which the
@@ -76,6 +79,18 @@ pub fn with_reset(reset: Option<&TokenStream>, statements: TokenStream) -> Token
     }
 }
 
+/// Prints the test whether values are below their bounds.
+pub fn bounds(printer: &Printer, bounds: &[ValueBound]) -> TokenStream {
+    let mstmm = &printer.cx.mstmm;
+    let tests = bounds.iter().map(|bound| {
+        let values = bound.values.iter().map(|value| printer.operand(value));
+        let square = Literal::f64_unsuffixed(bound.square);
+        quote!(#mstmm::generated::are_below::<T, _>([#(#values),*], #square))
+    });
+    let is_bounded = helper("is_bounded");
+    quote!(let #is_bounded = #(#tests)&*;)
+}
+
 /// Prints the check of the results.
 pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
@@ -101,6 +116,11 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             quote!(.map_err(|error_| #mstmm::generated::#or_argument))
         })
         .collect();
+    // A long array is not passed by value.
+    let of_array = |array: &ArrayId, check: TokenStream| {
+        let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
+        quote!(#mstmm::generated::#check::<Self, #scalar>(#result.as_slice(), state_, inputs_) #or_given?;)
+    };
     for witness in &check.finite {
         match witness {
             Witness::Value(value) if printer.varying.operand(value) => {
@@ -108,17 +128,18 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             }
             Witness::Value(value) => numbers.push(printer.operand(value)),
             Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
-            // A long array is not passed by value.
-            Witness::Array(array) => {
-                let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
-                let check = quote!(check_finite_slice::<Self, #scalar>(#result.as_slice(), state_, inputs_));
-                arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
-            }
+            Witness::Array(array) => arrays.extend(of_array(array, quote!(check_finite_slice))),
         }
     }
     if !columns.is_empty() {
         let check = quote!(check_finite::<Self, C>(&[&[#(#columns),*]], state_, inputs_));
         arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
+    }
+    if !check.unless_bounded.is_empty() {
+        let is_bounded = helper("is_bounded");
+        let stored = check.unless_bounded.iter();
+        let results = stored.map(|array| of_array(array, quote!(check_stored)));
+        arrays.extend(quote!(if !#is_bounded { #(#results)* }));
     }
     let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
     let pivot_error =

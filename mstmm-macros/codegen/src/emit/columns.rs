@@ -108,6 +108,7 @@ impl Varying {
                     columns.push(Step::CheckResults(ResultCheck {
                         pivots: Vec::new(),
                         finite: varying,
+                        unless_bounded: Vec::new(),
                     }));
                 }
                 _ if self.step(step) => columns.push(step.clone()),
@@ -120,7 +121,7 @@ impl Varying {
     /// Returns whether a step reads or writes anything that differs between columns.
     fn step(&self, step: &Step) -> bool {
         match step {
-            Step::CheckArguments(_) => false,
+            Step::CheckArguments(_) | Step::TestBounds(_) => false,
             Step::Load { into, .. } => into.iter().flatten().any(|&value| self.value(value)),
             Step::Compute(section) => section.statements.iter().any(|it| self.statement(it)),
             Step::Store { to, .. } => self.array(to.array),
@@ -155,7 +156,10 @@ impl Varying {
                 }
                 Step::Store { to, values } => self.store(&arrays[to.array], to, values),
                 Step::Loop(loop_) => self.carry(loop_) | self.follow(arrays, &loop_.body),
-                Step::CheckArguments(_) | Step::CheckPivot { .. } | Step::CheckResults(_) => false,
+                Step::CheckArguments(_)
+                | Step::TestBounds(_)
+                | Step::CheckPivot { .. }
+                | Step::CheckResults(_) => false,
             };
         }
         changed

@@ -89,7 +89,10 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
                 );
             }
             Step::Compute(_) => {}
-            Step::CheckArguments(_) | Step::Loop(_) | Step::CheckResults(_) => {
+            Step::CheckArguments(_)
+            | Step::TestBounds(_)
+            | Step::Loop(_)
+            | Step::CheckResults(_) => {
                 bug!("a loop contains a step that is allowed only outside of loops")
             }
         }

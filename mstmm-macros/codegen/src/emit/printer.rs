@@ -148,6 +148,7 @@ impl Printer<'_> {
             Destination::Array(place) | Destination::Vector(place) if !self.is_filled(array) => {
                 place.clone()
             }
+            Destination::Matrix(place, _) => place.clone(),
             _ => self.result(array).into_token_stream(),
         }
     }

@@ -107,6 +107,7 @@ impl Printer<'_> {
     fn step(&self, step: &Step) -> TokenStream {
         match step {
             Step::CheckArguments(arrays) => checks::arguments(self, arrays),
+            Step::TestBounds(bounds) => checks::bounds(self, bounds),
             Step::Load { from, into } => arguments::load(self, from, into),
             Step::Store { to, values } => self.store(to, values),
             Step::Loop(loop_) => loops::print(self, loop_),
@@ -253,7 +254,7 @@ pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
 fn uses_numbers(steps: &[Step]) -> bool {
     let number = |operand: &Operand| operand.is_known();
     steps.iter().any(|step| match step {
-        Step::CheckArguments(_) | Step::Load { .. } => false,
+        Step::CheckArguments(_) | Step::TestBounds(_) | Step::Load { .. } => false,
         Step::Compute(section) => {
             section.statements.iter().any(|statement| statement.operands().any(number))
         }

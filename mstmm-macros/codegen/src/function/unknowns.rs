@@ -2,6 +2,7 @@
 
 use crate::ids::{IdRange, IdVec, RepeatId, SymbolId};
 use crate::program::{Argument, ArrayLayout};
+use std::ops::Range;
 
 /// An unknown.
 #[derive(Clone, Debug)]
@@ -22,6 +23,7 @@ pub struct Unknowns {
     all: IdVec<SymbolId, Unknown>,
     repetitions: IdVec<RepeatId, usize>,
     arguments: Vec<(Argument, ArrayLayout, IdRange<SymbolId>)>,
+    quaternions: Vec<IdRange<SymbolId>>,
 }
 
 impl Unknowns {
@@ -41,6 +43,17 @@ impl Unknowns {
             self.all.push(Unknown { name, argument, entry, repeat });
         }
         self.arguments.push((argument, layout, (first..self.all.len()).into()));
+    }
+
+    /// Marks entries of an argument as components of a quaternion.
+    pub fn mark_quaternion(&mut self, argument: Argument, entries: Range<usize>) {
+        let first = self.of(argument).first().index();
+        self.quaternions.push((first + entries.start..first + entries.end).into());
+    }
+
+    /// Returns the number of the quaternion that an unknown is a component of, if it is.
+    pub fn quaternion(&self, symbol: SymbolId) -> Option<usize> {
+        self.quaternions.iter().position(|symbols| symbols.contains(symbol))
     }
 
     /// Returns the number of unknowns.

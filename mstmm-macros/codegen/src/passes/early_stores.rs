@@ -15,7 +15,10 @@ pub fn early_stores(mut procedure: Procedure) -> Procedure {
     }
     let last = procedure.body.iter().rposition(|step| matches!(step, Step::Compute(_)));
     let Some(last) = last else { return procedure };
-    let final_steps = procedure.body.split_off(last + 1);
+    let mut final_steps = procedure.body.split_off(last + 1);
+    // A check of stored results stays behind their stores.
+    let checks_stored = |step: &mut Step| matches!(step, Step::CheckResults(check) if !check.unless_bounded.is_empty());
+    let of_stored = final_steps.pop_if(checks_stored);
     let mut waiting = Waiting::new(procedure.values.count(), &procedure.body);
     let mut ready = Vec::new();
     for step in final_steps {
@@ -32,6 +35,7 @@ pub fn early_stores(mut procedure: Procedure) -> Procedure {
             _ => procedure.body.push(step),
         }
     }
+    procedure.body.extend(of_stored);
     procedure
 }
 
@@ -117,6 +121,7 @@ fn operands(step: &Step) -> Vec<&Operand> {
         | Step::Load { .. }
         | Step::Compute(_)
         | Step::Loop(_)
+        | Step::TestBounds(_)
         | Step::CheckPivot { .. } => {
             bug!("a step other than a store or the check of results follows the last section")
         }

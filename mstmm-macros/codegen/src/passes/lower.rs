@@ -6,7 +6,7 @@ use crate::ids::{IdVec, RepeatId, SymbolId};
 use crate::program::{
     Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, BlockId, CheckId, Failure,
     Finiteness, ForLoop, LoopBlock, Operand, OutputId, PivotTest, PivotValue, Procedure, Program,
-    Repetition, ResultCheck, Segment, Slot, Step, ValueId, Witness,
+    Repetition, ResultCheck, Segment, Slot, Step, ValueBound, ValueId, Witness,
 };
 
 /// The tests of a function.
@@ -46,6 +46,11 @@ pub fn lower(
         body.extend(lowering.check_arguments(checks, finiteness));
     }
     body.extend(lowering.loads(None, &program.unknowns, &program.slots));
+    let bounds = checks
+        .zip(finiteness.as_ref())
+        .and_then(|(checks, finiteness)| lowering.bounds(checks, finiteness));
+    let is_bounded = bounds.is_some();
+    body.extend(bounds.map(Step::TestBounds));
     for (number, block) in program.blocks.enumerate() {
         match block {
             Block::Once(sections) => body.extend(sections.iter().cloned().map(Step::Compute)),
@@ -58,9 +63,9 @@ pub fn lower(
     let stores = lowering.stores(checks.map(|checks| checks.failure));
     let finish = checks
         .zip(finiteness)
-        .map(|(checks, finiteness)| lowering.check_results(checks, &finiteness));
-    // With loops the result array is checked as a whole, after it has been written.
-    if lowering.looped {
+        .map(|(checks, finiteness)| lowering.check_results(checks, &finiteness, is_bounded));
+    // A result array is checked as a whole after it has been written.
+    if lowering.looped || is_bounded {
         body.extend(stores.into_iter().chain(finish));
     } else {
         body.extend(finish.into_iter().chain(stores));
@@ -292,9 +297,26 @@ impl Lowering<'_> {
         (!arrays.is_empty()).then_some(Step::CheckArguments(arrays))
     }
 
+    /// Returns bounds of unknowns and slots within which the results are finite, if there are many more results.
+    ///
+    /// The results must be written entry by entry before they are tested.
+    fn bounds(&self, checks: Checks, finiteness: &Finiteness) -> Option<Vec<ValueBound>> {
+        let mut tested =
+            self.function.outputs.iter().filter(|output| checks.finite.contains(&output.id));
+        let is_written = checks.failure == Failure::PartlyWritten
+            && tested.all(|output| output.written == Written::ByEntry);
+        if !is_written || self.looped || !self.function.pivots.is_empty() {
+            return None;
+        }
+        let unknowns = self.function.unknowns;
+        let results = finiteness.witnesses.len();
+        self.program.bounds(results, |symbol| unknowns.quaternion(symbol))
+    }
+
     /// Returns the check of the results: the pivots, the time, the arguments that no result covers, and the results that
     /// no other result covers.
-    fn check_results(&mut self, checks: Checks, finiteness: &Finiteness) -> Step {
+    fn check_results(&mut self, checks: Checks, finiteness: &Finiteness, is_bounded: bool) -> Step {
+        let mut unless_bounded = Vec::new();
         let mut finite = vec![Witness::Entry(self.argument(Argument::Time), 0)];
         if self.looped {
             finite.extend(self.results_of_loops(checks.finite));
@@ -318,7 +340,15 @@ impl Lowering<'_> {
                     finite.push(Witness::Entry(self.argument(argument), entry));
                 }
             }
-            finite.extend(finiteness.witnesses.iter().map(|&value| Witness::Value(value.clone())));
+            if is_bounded {
+                for &id in checks.finite {
+                    let found = self.arrays.position(|array| array.role == ArrayRole::Result(id));
+                    unless_bounded.push(found.unwrap_or_else(|| bug!("a result is not stored")));
+                }
+            } else {
+                let witnesses = finiteness.witnesses.iter();
+                finite.extend(witnesses.map(|&value| Witness::Value(value.clone())));
+            }
         }
         let pivots = self.function.pivots.iter().enumerate().map(|(number, pivot)| {
             let found = match (&self.program.pivots[number], self.checks[number]) {
@@ -328,7 +358,7 @@ impl Lowering<'_> {
             };
             PivotTest { hinge: pivot.hinge.clone(), pivot: found }
         });
-        Step::CheckResults(ResultCheck { pivots: pivots.collect(), finite })
+        Step::CheckResults(ResultCheck { pivots: pivots.collect(), finite, unless_bounded })
     }
 
     /// Returns the results of a program with loops that must be finite: values, and arrays with entries of repeated parts.

@@ -7,6 +7,7 @@
 mod cost;
 mod finiteness;
 mod layout;
+mod magnitude;
 mod names;
 mod procedure;
 pub mod text;
@@ -14,6 +15,7 @@ pub mod text;
 pub use cost::{Cost, SectionCost, by_heading};
 pub use finiteness::Finiteness;
 pub use layout::{ArrayLayout, Segment};
+pub use magnitude::ValueBound;
 pub use names::{ValueId, ValueNames};
 pub use procedure::{
     Argument, Array, ArrayId, ArrayRole, ArraySlice, CarriedValue, CheckId, Failure, ForLoop,

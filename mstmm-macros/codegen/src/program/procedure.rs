@@ -3,7 +3,7 @@
 //!
 //! Loops do not nest, and the only branches are those that end the procedure.
 
-use super::{ArrayLayout, BlockId, Operand, Section, ValueId, ValueNames};
+use super::{ArrayLayout, BlockId, Operand, Section, ValueBound, ValueId, ValueNames};
 use crate::ids::{IdVec, InputId, ParameterId, RepeatId, declare_id};
 
 declare_id! {
@@ -197,6 +197,8 @@ pub enum Step {
         /// The scale of its rounding error.
         scale: Operand,
     },
+    /// Finds whether the magnitudes of values are below bounds.
+    TestBounds(Vec<ValueBound>),
     /// Fails if a pivot vanishes, or if a value is not finite.
     CheckResults(ResultCheck),
 }
@@ -247,6 +249,8 @@ pub struct ResultCheck {
     pub pivots: Vec<PivotTest>,
     /// The values that must be finite.
     pub finite: Vec<Witness>,
+    /// The results that must be finite, and are so within the bounds of [`Step::TestBounds`].
+    pub unless_bounded: Vec<ArrayId>,
 }
 
 impl ResultCheck {

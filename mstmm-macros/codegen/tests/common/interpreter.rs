@@ -157,6 +157,8 @@ impl<S: Judge> Machine<'_, S> {
                 let is_lost = self.value(value).is_lost(self.value(scale));
                 self.checks[check.index()] &= !is_lost;
             }
+            // Bounds only save tests.
+            Step::TestBounds(_) => {}
             Step::CheckResults(finish) if !self.arrays.untested => return self.finish(finish),
             Step::CheckResults(_) => {}
         }
@@ -271,7 +273,9 @@ impl<S: Judge> Machine<'_, S> {
             Witness::Entry(array, entry) => self.whole(*array)[*entry].is_finite(),
             Witness::Array(array) => self.whole(*array).iter().all(|x| x.is_finite()),
         };
-        let are_numbers = are_numbers && finish.finite.iter().all(is_finite);
+        let are_stored =
+            finish.unless_bounded.iter().all(|&array| is_finite(&Witness::Array(array)));
+        let are_numbers = are_numbers && are_stored && finish.finite.iter().all(is_finite);
         if are_numbers { Ok(()) } else { Err(Failed::NotFinite) }
     }
 

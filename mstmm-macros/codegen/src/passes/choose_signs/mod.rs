@@ -103,7 +103,7 @@ impl<'a> Search<'a> {
     fn add_steps(&mut self, steps: &'a [Step]) {
         for step in steps {
             match step {
-                Step::CheckArguments(_) | Step::Load { .. } => {}
+                Step::CheckArguments(_) | Step::TestBounds(_) | Step::Load { .. } => {}
                 Step::Compute(section) => {
                     section.statements.iter().for_each(|statement| self.add_statement(statement));
                 }

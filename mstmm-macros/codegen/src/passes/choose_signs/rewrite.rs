@@ -13,7 +13,8 @@ pub(super) fn steps(steps: &mut [Step], negated: &[bool]) {
 
 fn step(step: &mut Step, negated: &[bool]) {
     match step {
-        Step::CheckArguments(_) | Step::Load { .. } => {}
+        // Values that are tested are loaded, and those keep their signs.
+        Step::CheckArguments(_) | Step::TestBounds(_) | Step::Load { .. } => {}
         Step::Compute(Section { statements, .. }) => {
             statements.iter_mut().for_each(|it| statement(it, negated));
         }

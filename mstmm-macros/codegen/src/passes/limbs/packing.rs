@@ -323,6 +323,7 @@ impl<'a> Packing<'a> {
 fn read(step: &Step) -> Vec<ValueId> {
     let operands: Vec<&Operand> = match step {
         Step::Store { values, .. } => values.iter().flatten().collect(),
+        Step::TestBounds(bounds) => bounds.iter().flat_map(|bound| &bound.values).collect(),
         Step::CheckResults(check) => check.operands().collect(),
         Step::CheckPivot { value, scale, .. } => vec![value, scale],
         Step::CheckArguments(_) | Step::Load { .. } | Step::Compute(_) | Step::Loop(_) => vec![],
