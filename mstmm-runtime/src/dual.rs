@@ -282,11 +282,6 @@ impl<T: Scalar, const K: usize> Scalar for Dual<T, K> {
     }
 
     #[inline]
-    fn plus_square(self, _: Self) -> Self {
-        Self::constant(f64::INFINITY)
-    }
-
-    #[inline]
     fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
         let product = self * factor;
         let value = self.value.mul_sub(factor.value, subtrahend.value);

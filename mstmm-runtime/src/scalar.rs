@@ -92,13 +92,6 @@ pub trait Scalar:
         self * factor + addend
     }
 
-    /// Returns `sum` plus the square of the number. It is infinite for a dual number, whose derivatives a bound of its value
-    /// says nothing about.
-    #[inline(always)]
-    fn plus_square(self, sum: Self) -> Self {
-        self.mul_add(self, sum)
-    }
-
     /// Returns `self · factor − subtrahend`, rounded as [`mul_add`](Scalar::mul_add).
     #[inline(always)]
     fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {

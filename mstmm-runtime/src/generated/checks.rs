@@ -53,14 +53,18 @@ pub fn pivots_ok<T: Scalar, const P: usize, const N: usize>(
     ok.all()
 }
 
-/// Returns whether the sum of the squares of all values is less than `square`, and so each of them less than its root. Dual
-/// numbers are never.
+/// Returns whether the sum of the squares of all values is less than `square`, and so each of them less than its root.
+///
+/// It is false for dual numbers: bounds of their values say nothing about their derivatives.
 #[inline(always)]
 pub fn are_below<T: Scalar, const N: usize>(values: [T; N], square: f64) -> bool {
+    if T::DERIVATIVE_ORDER > 0 {
+        return false;
+    }
     let mut sums = [T::constant(0.0); 4];
     for (number, value) in values.into_iter().enumerate() {
         if let Some(sum) = sums.get_mut(number % 4) {
-            *sum = value.plus_square(*sum);
+            *sum = value.mul_add(value, *sum);
         }
     }
     let [a, b, c, d] = sums;

@@ -1,12 +1,13 @@
 //! Lowers a program to a procedure: adds loads, tests and stores.
 
 use super::SetupSlots;
+use super::bounds::bounds;
 use crate::function::{Function, Output, Written};
 use crate::ids::{IdVec, RepeatId, SymbolId};
 use crate::program::{
     Argument, Array, ArrayId, ArrayLayout, ArrayRole, ArraySlice, Block, BlockId, CheckId, Failure,
     Finiteness, ForLoop, LoopBlock, Operand, OutputId, PivotTest, PivotValue, Procedure, Program,
-    Repetition, ResultCheck, Segment, Slot, Step, ValueBound, ValueId, Witness,
+    Repetition, ResultCheck, Segment, Slot, Step, ValueId, Witness,
 };
 
 /// The tests of a function.
@@ -46,9 +47,9 @@ pub fn lower(
         body.extend(lowering.check_arguments(checks, finiteness));
     }
     body.extend(lowering.loads(None, &program.unknowns, &program.slots));
-    let bounds = checks
-        .zip(finiteness.as_ref())
-        .and_then(|(checks, finiteness)| lowering.bounds(checks, finiteness));
+    let bounds = checks.zip(finiteness.as_ref()).and_then(|(checks, finiteness)| {
+        bounds(&program, function, (checks.finite, checks.failure), finiteness)
+    });
     let is_bounded = bounds.is_some();
     body.extend(bounds.map(Step::TestBounds));
     for (number, block) in program.blocks.enumerate() {
@@ -295,22 +296,6 @@ impl Lowering<'_> {
         let arrays: Vec<ArrayId> =
             uncovered.collect::<Vec<_>>().into_iter().map(|it| self.argument(it)).collect();
         (!arrays.is_empty()).then_some(Step::CheckArguments(arrays))
-    }
-
-    /// Returns bounds of unknowns and slots within which the results are finite, if there are many more results.
-    ///
-    /// The results must be written entry by entry before they are tested.
-    fn bounds(&self, checks: Checks, finiteness: &Finiteness) -> Option<Vec<ValueBound>> {
-        let mut tested =
-            self.function.outputs.iter().filter(|output| checks.finite.contains(&output.id));
-        let is_written = checks.failure == Failure::PartlyWritten
-            && tested.all(|output| output.written == Written::ByEntry);
-        if !is_written || self.looped || !self.function.pivots.is_empty() {
-            return None;
-        }
-        let unknowns = self.function.unknowns;
-        let results = finiteness.witnesses.len();
-        self.program.bounds(results, |symbol| unknowns.quaternion(symbol))
     }
 
     /// Returns the check of the results: the pivots, the time, the arguments that no result covers, and the results that

@@ -10,12 +10,14 @@
 //!
 //! [`linearize()`] orders a function into a program; `select_fma` chooses the products that it fuses with their sums, and
 //! `angles` groups its sines and cosines. [`list_schedule()`] reorders the statements for processors, [`lower()`] adds
-//! loads, tests and stores, [`early_stores()`] moves the stores up, and [`pack_limbs()`] computes limbs of one shape side by
-//! side. [`choose_signs()`] comes last. The module `compile` lists the order of the passes.
+//! loads, tests and stores, and `bounds` finds arguments whose test saves those of results. [`early_stores()`] moves the
+//! stores up, and [`pack_limbs()`] computes limbs of one shape side by side. [`choose_signs()`] comes last. The module
+//! `compile` lists the order of the passes.
 //!
 //! Constant folding, signs and common subexpressions need no pass: the graph's rules apply when formulas are created.
 
 mod angles;
+mod bounds;
 mod choose_signs;
 mod compute;
 mod early_stores;

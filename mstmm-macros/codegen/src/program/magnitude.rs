@@ -25,19 +25,13 @@ const EXPONENTS: [i32; 4] = [32, 24, 16, 12];
 /// The bound of the square of a quaternion's length, which is near one.
 const QUATERNION: f64 = 2.0;
 
-/// The smallest number of results that are not tested if the arguments are within bounds. With fewer, LLVM makes vectors of
-/// the arguments for their test, and of what is computed from them: the Jacobian of three balls, with 27 results, then takes
-/// 1.15 times as long.
-const MIN_RESULTS: usize = 32;
-
 impl Program {
     /// Returns bounds for all unknowns and slots. If they hold, all values are finite. There are none for a program with
-    /// divisions or square roots, for one whose values grow too fast, and for few results.
+    /// divisions or square roots, and for one whose values grow too fast.
     ///
     /// `quaternion` returns the number of the quaternion that an unknown is a component of. The program must not have loops.
     pub fn bounds(
         &self,
-        results: usize,
         quaternion: impl Fn(SymbolId) -> Option<usize>,
     ) -> Option<Vec<ValueBound>> {
         let mut quaternions: Vec<(usize, Vec<ValueId>)> = Vec::new();
@@ -48,10 +42,6 @@ impl Program {
                 (Some(number), Some((last, values))) if *last == number => values.push(value),
                 (Some(number), _) => quaternions.push((number, vec![value])),
             }
-        }
-        let count = self.unknowns.len() + self.slots.len();
-        if count == 0 || results < MIN_RESULTS.max(count) {
-            return None;
         }
         let bound = |square, values: &[ValueId]| {
             let values = values.iter().copied().map(Operand::Value).collect();
@@ -145,7 +135,7 @@ mod tests {
     /// Returns the exponent of the bound of the second unknown, if the first is of a quaternion.
     fn exponent(operations: impl Fn(&[Operand]) -> Vec<Operation>) -> Option<i32> {
         let quaternion = |symbol| (symbol == SymbolId(0)).then_some(0);
-        let bounds = program(operations).bounds(MIN_RESULTS, quaternion)?;
+        let bounds = program(operations).bounds(quaternion)?;
         let squares: Vec<f64> = bounds.iter().map(|bound| bound.square).collect();
         let [2.0, square] = squares[..] else { panic!("{bounds:?}") };
         Some(square.log2() as i32 / 2)
