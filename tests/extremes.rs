@@ -251,3 +251,21 @@ fn large_matrices_have_finite_entries_or_are_refused() {
     matrices_at_any_scale::<f32>(36);
     matrices_at_any_scale::<mstmm::wide::f64x4>(300);
 }
+
+/// Bounds of values say nothing about derivatives.
+#[test]
+fn derivatives_of_moderate_values_that_overflow_are_refused() {
+    type Number = mstmm::Dual<f64>;
+    let chain = Snake::<Number>::new();
+    let mut state = chain.initial_state();
+    let mut matrix = nalgebra::SMatrix::repeat(Number::constant(0.0));
+    for (derivative, expected) in
+        [(1e300, Ok(())), (f64::MAX, Err(Error::NotFinite(Origin::Result)))]
+    {
+        for coordinate in state.coordinates_mut() {
+            coordinate.derivatives = [derivative];
+        }
+        let found = chain.mass_matrix_into(&state, &chain.no_inputs(), &mut matrix);
+        assert_eq!(found, expected, "{derivative:e}");
+    }
+}
