@@ -18,9 +18,12 @@ pub struct ValueBound {
 /// The largest magnitude of a value. The largest `f32` is just below `2^128`; the difference is for rounding errors.
 const LARGEST: f64 = (1_u128 << 120) as f64;
 
+/// The largest angle in rad. In `f32` the sine of an angle is NaN from a little above on.
+const LARGEST_ANGLE: f64 = (1_u64 << 21) as f64;
+
 /// The exponents `e` of bounds `2^e` for arguments other than quaternions, from the best. A smaller bound would be exceeded by usual
 /// arguments.
-const EXPONENTS: [i32; 4] = [32, 24, 16, 12];
+const EXPONENTS: [i32; 5] = [32, 24, 20, 16, 12];
 
 /// The bound of the square of a quaternion's length, which is near one.
 const QUATERNION: f64 = 2.0;
@@ -74,7 +77,10 @@ impl Program {
                     }
                     magnitudes[value.index()] = magnitude;
                 }
-                Statement::SinCos { sines, cosines, .. } => {
+                Statement::SinCos { sines, cosines, angles } => {
+                    if angles.iter().any(|angle| of_operand(angle, &magnitudes) > LARGEST_ANGLE) {
+                        return false;
+                    }
                     let values = sines.iter().chain(cosines).flatten();
                     values.for_each(|value| magnitudes[value.index()] = 1.0);
                 }
@@ -113,15 +119,11 @@ mod tests {
     use super::*;
     use crate::program::{Block, Section, ValueNames};
 
-    /// Returns a program that computes the values of `operations` one after the other from two unknowns.
-    fn program(operations: impl Fn(&[Operand]) -> Vec<Operation>) -> Program {
+    /// Returns a program of statements that define values from two unknowns, the first of its values.
+    fn program(statements: impl Fn(&[ValueId]) -> Vec<Statement>) -> Program {
         let mut names = ValueNames::default();
         let values: Vec<ValueId> = (0..8).map(|k| names.add(format!("v{k}"))).collect();
-        let operands: Vec<Operand> = values.iter().copied().map(Operand::Value).collect();
-        let statements = operations(&operands).into_iter().zip(&values[2..]);
-        let statements =
-            statements.map(|(operation, value)| Statement::Let(*value, operation)).collect();
-        let section = Section { statements, ..Section::default() };
+        let section = Section { statements: statements(&values), ..Section::default() };
         Program {
             names,
             unknowns: vec![(SymbolId(0), values[0]), (SymbolId(1), values[1])],
@@ -133,12 +135,21 @@ mod tests {
     }
 
     /// Returns the exponent of the bound of the second unknown, if the first is of a quaternion.
-    fn exponent(operations: impl Fn(&[Operand]) -> Vec<Operation>) -> Option<i32> {
+    fn exponent_of(statements: impl Fn(&[ValueId]) -> Vec<Statement>) -> Option<i32> {
         let quaternion = |symbol| (symbol == SymbolId(0)).then_some(0);
-        let bounds = program(operations).bounds(quaternion)?;
+        let bounds = program(statements).bounds(quaternion)?;
         let squares: Vec<f64> = bounds.iter().map(|bound| bound.square).collect();
         let [2.0, square] = squares[..] else { panic!("{bounds:?}") };
         Some(square.log2() as i32 / 2)
+    }
+
+    /// Returns it for a program that computes the values of `operations` one after the other.
+    fn exponent(operations: impl Fn(&[Operand]) -> Vec<Operation>) -> Option<i32> {
+        exponent_of(|values| {
+            let operands: Vec<Operand> = values.iter().copied().map(Operand::Value).collect();
+            let defined = values[2..].iter().zip(operations(&operands));
+            defined.map(|(value, operation)| Statement::Let(*value, operation)).collect()
+        })
     }
 
     #[test]
@@ -156,7 +167,25 @@ mod tests {
             let factor = Operand::Number(1e30);
             vec![Operation::MulAdd(v[1].clone(), v[1].clone(), factor.clone()), times(v, 2)]
         };
-        assert_eq!(exponent(large), Some(16));
+        assert_eq!(exponent(large), Some(20));
+    }
+
+    #[test]
+    fn bounds_keep_angles_in_the_range_of_the_sine() {
+        let sine = |values: &[ValueId]| {
+            let angles = vec![Operand::Value(values[1])];
+            let (sines, cosines) = (vec![Some(values[2])], vec![None]);
+            vec![Statement::SinCos { sines, cosines, angles }]
+        };
+        assert_eq!(exponent_of(sine), Some(20));
+        let of_four_times = |values: &[ValueId]| {
+            let angle = Operand::Value(values[1]);
+            let product = Operation::Product(Operand::Number(4.0), angle);
+            let (sines, cosines) = (vec![Some(values[3])], vec![None]);
+            let angles = vec![Operand::Value(values[2])];
+            vec![Statement::Let(values[2], product), Statement::SinCos { sines, cosines, angles }]
+        };
+        assert_eq!(exponent_of(of_four_times), Some(16));
     }
 
     #[test]
