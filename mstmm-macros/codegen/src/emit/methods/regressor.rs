@@ -37,7 +37,8 @@ fn docs_of_regressor(cx: &EmitContext) -> [TokenStream; 2] {
             /// # Errors
             ///
             /// `Error::NotFinite` if the state, the inputs or the accelerations are not finite. Entries of `regressor`
-            /// may then be overwritten.
+            /// may then be overwritten. Entries may overflow where a length, a rate or an acceleration exceeds 1e150, in
+            /// `f32` 1e18.
         },
     ]
 }
