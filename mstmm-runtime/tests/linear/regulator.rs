@@ -120,6 +120,58 @@ fn fast_sampling_has_the_gain_of_continuous_time() -> Result<(), Error> {
     Ok(())
 }
 
+/// The best gain for one input, by the Riccati recursion in the form Cᵀ P C + Kᵀ R K + Q with the closed loop C, of which all
+/// terms are positive.
+fn by_recursion<const X: usize>(problem: &Problem<X, 1>) -> SMatrix<f64, 1, X> {
+    let Problem { a, b, q, r } = problem;
+    let mut p = *q;
+    for _ in 0..20_000 {
+        let gain = b.transpose() * p * a / (r + b.transpose() * p * b).x;
+        let closed = a - b * gain;
+        let next = closed.transpose() * p * closed + gain.transpose() * r * gain + q;
+        let change = (next - p).abs().max();
+        p = next;
+        if change < 1e-16 * p.abs().max() {
+            break;
+        }
+    }
+    b.transpose() * p * a / (r + b.transpose() * p * b).x
+}
+
+/// Weights R that are much smaller than Bᵀ P B: the doubling loses digits, and finds no gain in the end.
+#[test]
+fn cheap_inputs_have_their_gain() -> Result<(), Error> {
+    fn check<const X: usize>(seed: u64, largest: &mut [f64; 2]) -> Result<(), Error> {
+        let mut problem = Problem::<X, 1>::random(seed, 1.5);
+        // The numbers of the single precision, so that both have the same system.
+        let rounded = |number: f64| f64::from(number as f32);
+        (problem.a, problem.b) = (problem.a.map(rounded), problem.b.map(rounded));
+        problem.q = problem.q.map(rounded);
+        for exponent in (0..16).step_by(3) {
+            problem.r = Matrix1::new(f64::from(10.0_f32.powi(-exponent)));
+            let expected = by_recursion(&problem);
+            let of =
+                |gain: SMatrix<f64, 1, X>| (gain - expected).abs().max() / expected.abs().max();
+            let double = of(problem.lqr()?.gain);
+            assert!(double < 1e-11, "seed {seed}, R = 1e-{exponent}: {double:e}");
+            let Problem { a, b, q, r } = &problem;
+            let single =
+                lqr::<f32, X, 1>(&converted(a), &converted(b), &converted(q), &converted(r))?;
+            let single = of(single.gain.map(f64::from));
+            assert!(single < 1e-3, "seed {seed}, R = 1e-{exponent}, single precision: {single:e}");
+            *largest = [largest[0].max(double), largest[1].max(single)];
+        }
+        Ok(())
+    }
+    let mut largest = [0.0; 2];
+    for seed in 0..6 {
+        check::<2>(seed, &mut largest)?;
+        check::<4>(seed, &mut largest)?;
+    }
+    println!("largest relative errors: {:.1e}, in single precision {:.1e}", largest[0], largest[1]);
+    Ok(())
+}
+
 /// A cart with a pole upright, over wide ranges of steps and weights, and in single precision, where A differs from the
 /// unit matrix by the last digits only.
 #[test]
@@ -156,7 +208,7 @@ fn residuals_are_small_for_all_steps_and_weights() -> Result<(), Error> {
 /// The cost over n steps, by the recursion from the end, tends to the cost of all steps.
 #[test]
 fn the_recursion_over_many_steps_tends_to_the_cost() {
-    for seed in 0..20 {
+    for seed in 0..6 {
         let problem = Problem::<4, 1>::random(seed, 2.0);
         let cost = problem.lqr().expect("stabilizable").cost;
         // The recursion does not keep the symmetry by itself.
@@ -216,7 +268,7 @@ fn what_cannot_be_stabilized_is_an_error() {
 /// The gain does not depend on the size of the weights, to the last bit where the size is a power of two.
 #[test]
 fn weights_may_have_any_size() -> Result<(), Error> {
-    for seed in 0..20 {
+    for seed in 0..6 {
         let problem = Problem::<4, 2>::random(seed, 1.5);
         let expected = problem.lqr()?;
         let sizes =
