@@ -108,18 +108,20 @@ pub(super) fn power<R: Scalar>(base: R, exponent: u32) -> R {
 }
 
 /// Returns the root mean square of the entries of `value`, each in units of absolute + relative · max(|a|, |b|), for the
-/// lane in which it is largest.
+/// lane in which it is largest. An entry that is zero meets every tolerance, also zero.
 pub(super) fn norm<S: ChainState>(
     value: &S,
     (a, b): (&S, &S),
     relative: S::Scalar,
     absolute: S::Scalar,
 ) -> <S::Scalar as Scalar>::Real {
-    let one = S::Scalar::constant(1.0);
+    let (zero, one) = (S::Scalar::constant(0.0), S::Scalar::constant(1.0));
     let (mut total, mut count) = (S::Scalar::default(), S::Scalar::default());
     for ((value, a), b) in entries(value).zip(entries(a)).zip(entries(b)) {
         let size = S::Scalar::select(a.abs().simd_gt(b.abs()), a.abs(), b.abs());
         let measured = value * (absolute + relative * size).recip();
+        let is_zero = !value.abs().simd_gt(zero) & value.is_finite();
+        let measured = S::Scalar::select(is_zero, zero, measured);
         total += measured * measured;
         count += one;
     }
