@@ -10,6 +10,7 @@ from ..build import CASADI, NATIVE, PINOCCHIO, Builder, Contender, say
 from ..cases import Case
 from ..paths import DRIVERS, PACKAGES, ROOT
 from . import casadi_code, inverse, urdf_text
+from .goals import BY_COMPONENTS
 from .order import DepthFirst
 from .questions import TIPS
 
@@ -74,6 +75,8 @@ class AnswersBuilder(Builder):
     def casadi(self, case: Case, what: str) -> list[Contender]:
         contenders = self._casadi(case, what, "CasADi")
         if what == "linearize":
+            if case.balls:
+                contenders += self._casadi(case, "linearize by components", BY_COMPONENTS)
             contenders += self._casadi(case, "linearize by inverse", "CasADi −M⁻¹∂ID")
         return contenders
 

@@ -95,9 +95,16 @@ def derivatives(s: Symbols) -> list[SX]:
 
 
 def linearize(s: Symbols) -> list[SX]:
-    """Differentiates forward dynamics, as users do."""
+    """Differentiates forward dynamics."""
     a = s.accelerations()
     return [s.along_rates(a), casadi.jacobian(a, s.v), casadi.jacobian(a, s.motors()), a]
+
+
+def linearize_by_components(s: Symbols) -> list[SX]:
+    """Differentiates forward dynamics by the components of quaternions, as users do."""
+    a = s.accelerations()
+    by_q = casadi.jacobian(a, s.q) @ s.tangent()
+    return [by_q, casadi.jacobian(a, s.v), casadi.jacobian(a, s.motors()), a]
 
 
 def linearize_by_inverse(s: Symbols) -> list[SX]:
@@ -134,6 +141,7 @@ ANSWERS: dict[str, tuple[Answer, bool]] = {
     "inverse_mass_matrix": (lambda s: [s.inverse_mass_matrix()], False),
     "derivatives": (derivatives, True),
     "linearize": (linearize, True),
+    "linearize by components": (linearize_by_components, True),
     "linearize by inverse": (linearize_by_inverse, True),
     "push": (push, True),
     "pull": (pull, True),

@@ -8,13 +8,13 @@ from typing import Any
 
 from ..measure import Measured
 from ..report import digits, machine
-from .goals import Figures, goals_of
+from .goals import BY_COMPONENTS, Figures, goals_of
 from .questions import QUESTIONS, Question
 
 LESS_ACCURATE = 1e-9
 """A larger difference makes a variant less accurate than another one."""
 
-PEERS = ["Pinocchio", "CasADi", "CasADi −M⁻¹∂ID", "MuJoCo", "dynibo"]
+PEERS = ["Pinocchio", "CasADi", BY_COMPONENTS, "CasADi −M⁻¹∂ID", "MuJoCo", "dynibo"]
 
 
 @dataclass(frozen=True)
