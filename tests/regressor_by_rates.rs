@@ -36,7 +36,7 @@ mstmm_chain! {
         hinge shoulder { damping = 0.1 N*m*s/rad; stiffness = 2 N*m/rad; }
     }
 
-    /// An arm on a driven base, with a body that is fixed to the ground, and eleven rates.
+    /// An arm on a driven base, with a body that is fixed to the ground, and fourteen rates.
     pub chain Arm {
         gravity = [0, 0, -9.81] m/s^2;
         answers = [inverse_dynamics, regressor];
@@ -44,7 +44,8 @@ mstmm_chain! {
         body Link { mass = 2 kg; com = [0.2, 0.01, 0] m; inertia = diag(0.01, 0.1, 0.1) kg*m^2 about com; output = [0.4, 0, 0.1] m turned rpy(0, 30, 0) deg; }
         ground at [1, 2, 3] m -> weld foot -> Base plate -> pin(z) turntable -> Base column -> pin(z) shoulder -> Link upper
             -> cylindrical(x) elbow -> Link fore -> universal(y, z) wrist -> Link hand
-            -> ball flange -> Link tool -> ball tip -> Link pen;
+            -> ball flange -> Link tool -> ball tip -> Link pen -> pin(x) clip -> Link cap -> pin(y) hook -> Link tag
+            -> slider(z) bolt -> Link nut;
         hinge turntable { motion = input; }
         hinge elbow { damping = 0.1 N*s/m; turning_damping = 0.2 N*m*s/rad; }
     }
@@ -92,6 +93,7 @@ macro_rules! compare {
         let (found, efforts, parameters) = regressor!($chain, $T, |$inputs, $number| $set);
         let (expected, _, _) = regressor!($chain, $L, |$inputs, $number| $set);
         let expected: Vec<$T> = expected.iter().map(|it| Columns::<$T>::column(*it, 0)).collect();
+        assert!(found.iter().ne(&expected), "both are straight code");
         let largest = expected.iter().fold(0.0, |largest: $T, it| largest.max(it.abs()));
         for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
             let error = (found - expected).abs();

@@ -77,12 +77,12 @@ pub fn writes_matrices_out(has_repeats: bool, rates: usize) -> bool {
 
 /// The smallest number of pairs of a body and a rate that moves it for which a regressor is computed with several rates at a
 /// time.
-const FEWEST_MOVING_PAIRS: usize = 24;
+const FEWEST_MOVING_PAIRS: usize = 64;
 
 /// Whether a regressor in space with this number of rates, and of pairs of a body and a rate that moves it, is computed with
 /// several rates at a time. One or two rates would leave most lanes empty. The motions of bodies and rates are stored first,
-/// and the loops over both cost more for few pairs. On Zen 4, in this form and written out: B3 with 18 pairs 147 and 115 ns,
-/// D7 with 28 pairs 237 and 257, HyQ with 102 pairs 724 and 1170.
+/// and the loops over both cost more for few pairs. On Zen 4, in this form and written out: D7 with 28 pairs 235 and 177 ns,
+/// HyQ with 102 pairs 723 and 883.
 pub fn takes_rates_together(rates: usize, moving_pairs: usize) -> bool {
     rates > 2 && moving_pairs >= FEWEST_MOVING_PAIRS
 }
