@@ -94,8 +94,10 @@ fn outputs_with_a_hinge(draft: &Draft) -> Vec<bool> {
     is_left
 }
 
-/// Methods of what every body has, which are no names for points: the name, and what has the method.
-const RESERVED: &[(&str, &str)] = &[("clone", "results"), ("at", "kinematics")];
+/// Methods of what every body has, which are no names for points: the name, and what has the method. `into` and `try_into`
+/// are methods by value of the prelude, which Rust prefers to the generated ones.
+const RESERVED: &[(&str, &str)] =
+    &[("clone", "results"), ("into", "results"), ("try_into", "results"), ("at", "kinematics")];
 
 /// Reports points with the name of another point of the type, or of a point that every body has.
 pub(super) fn points_are_named_once(draft: &Draft, diagnostics: &mut Diagnostics) {

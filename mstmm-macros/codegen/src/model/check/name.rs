@@ -23,6 +23,8 @@ pub const RESERVED: &[&str] = &[
     "rates_mut",
     "zero_position",
     "clone",
+    "into",
+    "try_into",
     "default",
     "new",
     "initial_state",
