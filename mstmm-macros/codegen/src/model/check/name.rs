@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use syn::ext::IdentExt;
 
 use crate::diag::Diagnostics;
+use crate::model::Request;
 use crate::model::lower::{BodyType, Draft, ItemName, KINDS, RouteItem};
 use crate::syntax::{BlockSyntax, FUNCTIONS};
 
@@ -128,6 +129,8 @@ fn twice(draft: &Draft, name: &UsedName) -> &'static str {
 const CHANGED: &[(&str, &str)] = &[("", "_mut")];
 /// Those of a repeated hinge.
 const REPEATED: &[(&str, &str)] = &[("", "_mut"), ("set_each_", "")];
+/// The ends of the names of a body's Jacobians.
+const JACOBIANS: [&str; 2] = ["_jacobian", "_jacobian_into"];
 
 impl UsedName {
     /// Returns the names of its further methods.
@@ -174,7 +177,7 @@ pub(super) fn chain_names_are_not_the_scalar_type(draft: &Draft, diagnostics: &m
 }
 
 /// Reports names of hinges, bodies, parameters, loads, springs and parts that are used twice. A hinge or
-/// body `x` also has the method `x_mut`, and a repeated hinge `set_each_x`.
+/// body `x` also has the method `x_mut`, a repeated hinge `set_each_x`, and a body of a chain with Jacobians `x_jacobian`.
 pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     // The owner of each method.
@@ -197,6 +200,28 @@ pub(super) fn names_are_used_once(draft: &Draft, diagnostics: &mut Diagnostics) 
         }
         for method in methods {
             owners.entry(method).or_insert(name);
+        }
+    }
+    setters_are_no_jacobians(draft, diagnostics);
+}
+
+/// Reports bodies whose Jacobian has the name of a setter: with the word `jacobian`, a body `x` has the methods `x_jacobian`
+/// and `x_jacobian_into` of the chain, and a parameter `x` has `set_x`.
+fn setters_are_no_jacobians(draft: &Draft, diagnostics: &mut Diagnostics) {
+    if draft.settings.requests.iter().all(|request| request.value != Request::Jacobian) {
+        return;
+    }
+    let parameters = draft.def.parameters.iter().map(|def| &def.field.name);
+    let setters: HashMap<String, &Ident> =
+        parameters.map(|name| (format!("set_{name}"), name)).collect();
+    let bodies = draft.items.iter().filter(|item| matches!(item, RouteItem::Body { .. }));
+    for name in bodies.filter_map(RouteItem::name) {
+        for method in JACOBIANS.map(|end| format!("{}{end}", name.joined)) {
+            if let Some(other) = setters.get(&method) {
+                let message =
+                    format!("`{name}` and `{other}` both make the method `{method}`: rename one");
+                diagnostics.name(&name.joined, message);
+            }
         }
     }
 }

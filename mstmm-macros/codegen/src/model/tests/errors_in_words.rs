@@ -25,6 +25,30 @@ fn names_are_used_once() {
 }
 
 #[test]
+fn setters_are_no_jacobians() {
+    let source = |parameter: &str, body: &str, answers: &str| {
+        format!(
+            "line chain A {{
+                answers = {answers};
+                param {parameter} = 1 kg;
+                body Car {{ mass = {parameter}; }}
+                ground -> slider joint -> Car {body};
+            }}"
+        )
+    };
+    for (parameter, body, method) in [
+        ("jacobian", "set", "set_jacobian"),
+        ("load_jacobian", "set_load", "set_load_jacobian"),
+        ("jacobian_into", "set", "set_jacobian_into"),
+    ] {
+        let message =
+            format!("`{body}` and `{parameter}` both make the method `{method}`: rename one");
+        expect_all(&source(parameter, body, "jacobian"), &[(body, &message)]);
+        expect_all(&source(parameter, body, "momentum"), &[]);
+    }
+}
+
+#[test]
 fn names_are_free() {
     // What the generated types keep for themselves.
     for (body, name) in [("Rod point_", "point_"), ("Rod PLACES_", "PLACES_")] {
