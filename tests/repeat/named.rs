@@ -241,3 +241,30 @@ fn a_repeated_hinge_without_inertia_is_named() {
     }
     check! { Needles NeedlesByTransfer }
 }
+
+mstmm_chain! {
+    plane chain Knots {
+        answers = [basic, linearize];
+        param _knot[3] = 1 kg;
+        body Rod { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 0.1 kg*m^2 about com; }
+        ground -> repeat 3 { pin joint -> Rod rod };
+    }
+}
+
+#[test]
+fn unused_parameters_have_all_their_values() -> Result<(), Error> {
+    let mut chain = Knots::<f64>::new();
+    chain.set__knot(|index| index as f64)?;
+    let names: Vec<_> =
+        Knots::<f64>::DESCRIPTION.parameters().iter().map(|it| it.name.to_string()).collect();
+    assert_eq!(names, ["_knot[0]", "_knot[1]", "_knot[2]"]);
+    let values = [0, 1, 2, 3].map(|index| chain.parameter(index));
+    assert_eq!(values, [Some(0.0), Some(1.0), Some(2.0), None]);
+    chain.set_parameter(1, 5.0)?;
+    assert_eq!(*chain.parameters()._knot(), [0.0, 5.0, 2.0]);
+    assert_eq!(chain.parameters().to_string().lines().count(), 3);
+    let mut at = KnotsLinearization::default();
+    chain.linearize_into(&chain.initial_state(), &chain.no_inputs(), &mut at)?;
+    assert_eq!(at.by_parameters.ncols(), 3);
+    Ok(())
+}

@@ -37,10 +37,12 @@ pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics:
 }
 
 impl Chain {
-    /// Returns the repeated part that a parameter belongs to.
+    /// Returns the repeated part that a parameter belongs to. A parameter that nothing uses belongs to the first part with
+    /// as many repetitions as it has values.
     pub fn repeat_of_parameter(&self, parameter: usize) -> Option<RepeatId> {
-        self.parameters[parameter].repetitions?;
-        self.parts_that_use(parameter).into_iter().flatten().next()
+        let times = self.parameters[parameter].repetitions?;
+        let using = self.parts_that_use(parameter).into_iter().flatten().next();
+        using.or_else(|| self.repeats.position(|repeat| repeat.count == times))
     }
 
     /// Returns whether frames, axes or the start depend on a parameter. The rank of the loop
