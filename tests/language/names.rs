@@ -142,6 +142,43 @@ mod primitive {
     }
 }
 
+/// Chains named after primitive types, and next to types of such names, with the constants and types of all answers.
+mod primitives {
+    #![allow(non_camel_case_types)]
+
+    /// Shadows the primitive type.
+    pub struct usize;
+
+    /// Shadows the primitive type.
+    pub struct bool;
+
+    mstmm::mstmm_chain! {
+        pub plane chain str {
+            answers = [basic, derivatives, linearize, jacobian, regressor];
+            param mass = 1 kg;
+            body R { mass = mass; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+            ground -> pin a -> R r -> pin b -> R s;
+        }
+        pub plane chain f64 {
+            answers = [basic, derivatives, linearize, momentum, kinematics, regressor];
+            param mass[3] = 1 kg;
+            body u32 { mass = mass; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; }
+            ground -> repeat 3 { pin a -> u32 r };
+        }
+    }
+}
+
+#[test]
+fn names_of_primitive_types_mean_nothing() {
+    let _ = (primitives::usize, primitives::bool);
+    let names = primitives::str::<f64>::DYNAMIC_PARAMETERS;
+    assert_eq!(names.len(), 8);
+    let base = primitives::str::<f64>::BASE_PARAMETERS;
+    assert!(base.iter().all(|&index| index < names.len()), "{base:?}");
+    let chain = primitives::f64::<f64>::new();
+    assert_eq!(*chain.parameters().mass(), [1.0; 3]);
+}
+
 /// The same state and inputs for both chains: what they compute has to be the same.
 macro_rules! assert_same {
     ($odd:ident, $odd_inputs:expr, $plain:ident, $plain_inputs:expr) => {

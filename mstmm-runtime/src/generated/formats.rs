@@ -161,7 +161,7 @@ macro_rules! closeness_ {
             fn default_epsilon() -> T::Epsilon {
                 T::default_epsilon()
             }
-            fn abs_diff_eq(&self, other: &Self, epsilon: T::Epsilon) -> bool {
+            fn abs_diff_eq(&self, other: &Self, epsilon: T::Epsilon) -> ::core::primitive::bool {
                 let close = |a: &T, b: &T| a.abs_diff_eq(b, epsilon);
                 $crate::generated::closeness::are_close::<$chain<T>>([self, other], close)
             }
@@ -173,7 +173,12 @@ macro_rules! closeness_ {
             fn default_max_relative() -> T::Epsilon {
                 T::default_max_relative()
             }
-            fn relative_eq(&self, other: &Self, epsilon: T::Epsilon, max: T::Epsilon) -> bool {
+            fn relative_eq(
+                &self,
+                other: &Self,
+                epsilon: T::Epsilon,
+                max: T::Epsilon,
+            ) -> ::core::primitive::bool {
                 let close = |a: &T, b: &T| a.relative_eq(b, epsilon, max);
                 $crate::generated::closeness::are_close::<$chain<T>>([self, other], close)
             }
@@ -182,10 +187,15 @@ macro_rules! closeness_ {
         impl<T: $crate::Scalar + $crate::generated::approx::UlpsEq<Epsilon: Copy>>
             $crate::generated::approx::UlpsEq for $state<T>
         {
-            fn default_max_ulps() -> u32 {
+            fn default_max_ulps() -> ::core::primitive::u32 {
                 T::default_max_ulps()
             }
-            fn ulps_eq(&self, other: &Self, epsilon: T::Epsilon, max_ulps: u32) -> bool {
+            fn ulps_eq(
+                &self,
+                other: &Self,
+                epsilon: T::Epsilon,
+                max_ulps: ::core::primitive::u32,
+            ) -> ::core::primitive::bool {
                 let close = |a: &T, b: &T| a.ulps_eq(b, epsilon, max_ulps);
                 $crate::generated::closeness::are_close::<$chain<T>>([self, other], close)
             }

@@ -21,7 +21,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         types.extend(quote! {
             #[doc = #doc]
             #[allow(dead_code)]
-            #visibility type #name<T = f64> = #mstmm::InverseDynamicsDerivatives<T, #rates>;
+            #visibility type #name<T = ::core::primitive::f64> = #mstmm::InverseDynamicsDerivatives<T, #rates>;
         });
     }
     if cx.chain.requests.contains(&Request::Linearize) {
@@ -39,7 +39,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             ///
             #(#[doc = #of_parameters])*
             #[allow(dead_code)]
-            #visibility type #name<T = f64> =
+            #visibility type #name<T = ::core::primitive::f64> =
                 #mstmm::Linearization<T, #rates, #twice, #inputs, #parameters>;
         });
     }

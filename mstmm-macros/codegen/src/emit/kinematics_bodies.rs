@@ -133,7 +133,8 @@ pub fn accessor(cx: &EmitContext, id: BodyId, run: usize) -> TokenStream {
     let frame = |frame| stored.frame(cx, body, frame);
     let (output, com) = (frame(BodyFrame::Output), position(&frame(BodyFrame::Com)));
     let (run, motion_name) = (usize_literal(run), motion_name(cx));
-    let repetition = stored.repetitions.map_or(quote!(0), |_| quote!(index_ as u32));
+    let repetition =
+        stored.repetitions.map_or(quote!(0), |_| quote!(index_ as ::core::primitive::u32));
     let columns = match cx.has_columns() {
         true => {
             quote!(#mstmm::RateColumns::new(&self.columns, Self::RUNS_, #run, #repetition))

@@ -159,14 +159,14 @@ fn names(cx: &EmitContext) -> TokenStream {
     let base_count = usize_literal(cx.findings.base_parameters.len());
     quote! {
         /// The names of the dynamic parameters, by the columns of the regressor.
-        #visibility const DYNAMIC_PARAMETERS: [&'static str; #columns] = [#(#names),*];
+        #visibility const DYNAMIC_PARAMETERS: [&'static ::core::primitive::str; #columns] = [#(#names),*];
         /// The indices of dynamic parameters whose columns are independent: the base parameters. The column of every other
         /// parameter is a combination of columns before it, in every state and for all inputs, so no motion can tell its
         /// value from theirs. Prescribed motions and gravity as an input must vary for all base parameters to be identified.
         /// States of a closed chain need not fulfil its loop constraints.
         ///
         /// Found numerically, with parameters at their defaults; empty if the description has Rust constants.
-        #visibility const BASE_PARAMETERS: [usize; #base_count] = [#(#base),*];
+        #visibility const BASE_PARAMETERS: [::core::primitive::usize; #base_count] = [#(#base),*];
     }
 }
 
