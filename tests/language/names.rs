@@ -179,6 +179,34 @@ fn names_of_primitive_types_mean_nothing() {
     assert_eq!(*chain.parameters().mass(), [1.0; 3]);
 }
 
+/// Deprecated chains, whose own code uses them without a warning.
+mod deprecated {
+    #![deny(warnings)]
+
+    mstmm::mstmm_chain! {
+        #[deprecated]
+        pub line chain Old {
+            param mass = 1 kg;
+            body Block { mass = mass; }
+            ground -> slider rail -> Block block;
+        }
+        #[deprecated = "use another"]
+        pub plane chain Older {
+            answers = [basic, derivatives, linearize, jacobian, momentum, kinematics, regressor];
+            body Rod { mass = 1; com = [0.3, 0.1]; inertia = 0.2 about com; point tip = [1, 0]; }
+            ground -> pin joint -> Rod rod;
+            load push { on = rod.tip; force = input; }
+        }
+    }
+}
+
+#[test]
+#[expect(deprecated)]
+fn deprecated_chains_are_used() {
+    assert_eq!(deprecated::Old::<f64>::new().parameters().mass(), 1.0);
+    assert_eq!(deprecated::Older::<f64>::new().initial_state().joint().angle(), 0.0);
+}
+
 /// The same state and inputs for both chains: what they compute has to be the same.
 macro_rules! assert_same {
     ($odd:ident, $odd_inputs:expr, $plain:ident, $plain_inputs:expr) => {

@@ -9,6 +9,7 @@ mod closure;
 mod columns;
 mod const_expr;
 mod constructor;
+mod deprecated;
 mod derivatives;
 mod description;
 mod docs;
@@ -104,7 +105,7 @@ pub fn expand(
     let derivatives = derivatives::emit(&cx);
     let description = description::emit(&cx);
     let ide_links = ide_links::emit(&cx);
-    quote! {
+    let items = quote! {
         #constructor
         #methods
         #state
@@ -115,7 +116,8 @@ pub fn expand(
         #derivatives
         #description
         #ide_links
-    }
+    };
+    deprecated::without_warnings(&cx, items)
 }
 
 impl EmitContext<'_> {
