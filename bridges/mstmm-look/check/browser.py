@@ -26,7 +26,7 @@ class Browser:
     """One page of a separate browser, rendered by software."""
 
     def __init__(self, width=1280, height=860):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.process = subprocess.Popen(
             [program(), *SOFTWARE, f"--user-data-dir={self.folder.name}", f"--window-size={width},{height}", "about:blank"],
             stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
