@@ -7,7 +7,7 @@
 //! discrete-time algebraic Riccati equations*, Int. J. Control 77, 2004). Its k-th iterate is the cost over 2ᵏ steps.
 //! Newton's method (Hewer 1971) follows: the cost of the gain found is summed over all time, by doubling too, and the best
 //! gain with this cost from the next step on replaces the gain. It removes the rounding errors of the first part. The sum
-//! converges only if the closed loop is stable. It then is for all gains that follow.
+//! converges only if the closed loop is stable. The closed loops of all gains that follow are stable too.
 //!
 //! If R is much smaller than Bᵀ P B, the doubling loses digits, and may find no gain. Every gain with a stable closed loop
 //! can be the start of Newton's method, so that of a larger R is taken.
@@ -53,7 +53,7 @@ pub struct Lqr<T, const X: usize, const U: usize> {
 /// of a step are weights in continuous time multiplied by the step. A and B are those of
 /// [`discretize`](super::discretize), for example. Each lane has its own regulator.
 ///
-/// The number of operations is bounded: at most 7 sums of 50 doublings with 9 X³ multiplications, and 54 sums of 50
+/// The number of operations is bounded: at most 7 sums of 50 doublings with 9 X³ multiplications, and 47 sums of 50
 /// doublings with 3 X³. Usually there are one and three. About twenty doublings are needed for each if the slowest motion of
 /// the closed loop decays in 10⁵ steps.
 ///

@@ -138,7 +138,8 @@ fn by_recursion<const X: usize>(problem: &Problem<X, 1>) -> SMatrix<f64, 1, X> {
     b.transpose() * p * a / (r + b.transpose() * p * b).x
 }
 
-/// Weights R that are much smaller than Bᵀ P B: the doubling loses digits, and finds no gain in the end.
+/// Weights R that are much smaller than Bᵀ P B: the doubling loses digits, and finds no gain in the end. The gain of these
+/// systems changes by up to some thousand times the rounding errors of the products in its equation.
 #[test]
 fn cheap_inputs_have_their_gain() -> Result<(), Error> {
     fn check<const X: usize>(seed: u64, largest: &mut [f64; 2]) -> Result<(), Error> {
@@ -153,12 +154,15 @@ fn cheap_inputs_have_their_gain() -> Result<(), Error> {
             let of =
                 |gain: SMatrix<f64, 1, X>| (gain - expected).abs().max() / expected.abs().max();
             let double = of(problem.lqr()?.gain);
-            assert!(double < 1e-11, "seed {seed}, R = 1e-{exponent}: {double:e}");
+            assert!(double < 2e4 * f64::EPSILON, "seed {seed}, R = 1e-{exponent}: {double:e}");
             let Problem { a, b, q, r } = &problem;
             let single =
                 lqr::<f32, X, 1>(&converted(a), &converted(b), &converted(q), &converted(r))?;
             let single = of(single.gain.map(f64::from));
-            assert!(single < 1e-3, "seed {seed}, R = 1e-{exponent}, single precision: {single:e}");
+            assert!(
+                single < 2e4 * f64::from(f32::EPSILON),
+                "seed {seed}, R = 1e-{exponent}, single precision: {single:e}"
+            );
             *largest = [largest[0].max(double), largest[1].max(single)];
         }
         Ok(())
@@ -208,7 +212,7 @@ fn residuals_are_small_for_all_steps_and_weights() -> Result<(), Error> {
 /// The cost over n steps, by the recursion from the end, tends to the cost of all steps.
 #[test]
 fn the_recursion_over_many_steps_tends_to_the_cost() {
-    for seed in 0..6 {
+    for seed in 0..20 {
         let problem = Problem::<4, 1>::random(seed, 2.0);
         let cost = problem.lqr().expect("stabilizable").cost;
         // The recursion does not keep the symmetry by itself.
@@ -268,7 +272,7 @@ fn what_cannot_be_stabilized_is_an_error() {
 /// The gain does not depend on the size of the weights, to the last bit where the size is a power of two.
 #[test]
 fn weights_may_have_any_size() -> Result<(), Error> {
-    for seed in 0..6 {
+    for seed in 0..20 {
         let problem = Problem::<4, 2>::random(seed, 1.5);
         let expected = problem.lqr()?;
         let sizes =
