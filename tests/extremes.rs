@@ -246,6 +246,12 @@ fn matrices_at_any_scale<T: Scalar>(largest: i32) {
             chain.inverse_dynamics_derivatives_into(state, accelerations, &inputs, &mut found);
         (result, found.by_coordinates.as_slice().to_vec())
     });
+    is_right_at_any_scale::<T>(largest, |state, accelerations, mass| {
+        let (chain, mut matrix) = (snake(mass), nalgebra::SMatrix::repeat(T::constant(0.0)));
+        let inputs = none(&chain);
+        let result = chain.regressor_into(state, accelerations, &inputs, &mut matrix);
+        (result, matrix.as_slice().to_vec())
+    });
 }
 
 #[test]
