@@ -4,14 +4,10 @@ use super::layouts;
 use crate::equations::writes_matrices_out;
 use crate::function::Unknowns;
 use crate::ids::ParameterId;
-use crate::model::{
-    Chain, ClosureRank, DofGroup, Hinge, HingeSpec, Input, InputKind, Layout, Representation,
-    Request,
-};
+use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout, Request};
 use crate::program::{Argument, ArrayLayout, Given};
 use proc_macro2::Ident;
 use std::collections::HashSet;
-use std::ops::Range;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -74,28 +70,20 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
 
 /// Marks the quaternions of coordinates and prescribed motions.
 fn mark_quaternions(chain: &Chain, layout: &Layout, unknowns: &mut Unknowns) {
-    let mut first = 0;
-    for hinge in chain.hinges.iter().filter(|hinge| !hinge.is_prescribed()) {
-        let spec = hinge.kind.spec();
-        for entries in quaternions(spec) {
+    for (index, hinge) in chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed()) {
+        if let Some(entries) = hinge.kind.spec().quaternion() {
+            let first = layout.q[index].start;
             let entries = first + entries.start..first + entries.end;
             unknowns.mark_quaternion(Argument::Coordinates, entries);
         }
-        first += spec.coordinates.len();
     }
     for (index, input) in layout.inputs.enumerate() {
-        if let InputKind::Motion(hinge) = input.what {
-            for entries in quaternions(chain.hinges[hinge].kind.spec()) {
-                unknowns.mark_quaternion(Argument::Input(index), entries);
-            }
+        if let InputKind::Motion(hinge) = input.what
+            && let Some(entries) = chain.hinges[hinge].kind.spec().quaternion()
+        {
+            unknowns.mark_quaternion(Argument::Input(index), entries);
         }
     }
-}
-
-/// Returns the coordinates of a hinge that are quaternions.
-fn quaternions(spec: &HingeSpec) -> impl Iterator<Item = Range<usize>> {
-    let of_quaternion = |group: &&DofGroup| group.representation == Representation::Quaternion;
-    spec.groups.iter().filter(of_quaternion).map(|group| group.coordinates.clone())
 }
 
 /// Returns the vectors that the functions of a chain's requests are given, each once.

@@ -2,16 +2,14 @@
 
 use super::EmitContext;
 use super::arrays::usize_literal;
-use crate::model::{Hinge, HingeId, HingeKind, Input, InputKind, Representation};
+use crate::model::{Hinge, HingeId, HingeKind, Input, InputKind};
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Returns the index of the quaternion among the coordinates of a hinge, if it has one.
 fn quaternion_of(kind: &HingeKind) -> Option<usize> {
-    let group =
-        kind.spec().groups.iter().find(|group| group.representation == Representation::Quaternion);
-    group.map(|group| group.coordinates.start)
+    kind.spec().quaternion().map(|coordinates| coordinates.start)
 }
 
 /// Returns the hinges whose quaternion is in the state, each with the index of the quaternion among the coordinates.

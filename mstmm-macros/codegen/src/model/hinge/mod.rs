@@ -199,6 +199,15 @@ pub struct HingeSpec {
     pub view: Option<StateView>,
 }
 
+impl HingeSpec {
+    /// Returns which of its coordinates are a quaternion, if it has one.
+    pub fn quaternion(&self) -> Option<Range<usize>> {
+        let mut groups = self.groups.iter();
+        let group = groups.find(|group| group.representation == Representation::Quaternion);
+        group.map(|group| group.coordinates.clone())
+    }
+}
+
 /// Degrees of freedom of one type.
 #[derive(Debug, PartialEq)]
 pub struct DofGroup {
