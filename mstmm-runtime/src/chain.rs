@@ -197,9 +197,9 @@ pub trait GeneratedChain: Chain {
     ///
     /// # Errors
     /// Those of [`Chain::derivative_into`], [`Chain::check_state`] and [`Chain::check_inputs`]. `at` is then an empty
-    /// workspace, without the results of earlier calls. Energies, efforts, springs and what is computed from results later,
-    /// such as the acceleration of a point, are not tested: they may overflow where a length or a rate exceeds 1e150, in
-    /// `f32` 1e18.
+    /// workspace, without the results of earlier calls. Energies, efforts, springs and values that are computed from
+    /// results afterwards, such as the acceleration of a point, are not tested: they may overflow where a length or a rate
+    /// exceeds 1e150, in `f32` 1e18.
     #[doc(alias("forward dynamics", "aba", "constraint forces", "mj_forward"))]
     fn solve_into(
         &self,

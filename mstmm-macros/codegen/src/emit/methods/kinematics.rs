@@ -38,8 +38,8 @@ pub(super) fn kinematics(cx: &EmitContext) -> MethodTemplate {
                 /// # Errors
                 ///
                 /// `Error::NotFinite` if the state or the inputs are not finite. `at` is then empty, without the
-                /// results of earlier calls. What is computed from `at` later, such as the acceleration of a point, may
-                /// overflow where a length or a rate exceeds 1e150, in `f32` 1e18.
+                /// results of earlier calls. Values that are computed from `at` afterwards, such as the acceleration of
+                /// a point, may overflow where a length or a rate exceeds 1e150, in `f32` 1e18.
                 #(#[doc = #errors])*
             },
         ],
