@@ -141,7 +141,8 @@ pub fn near_one(cx: &EmitContext) -> Vec<String> {
         "",
         " Quaternions may have any length near one, as in the stages of an integrator. They are used",
         " unchanged and without checks: for a quaternion of length n with the rotation matrix R, the",
-        " matrix (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1.",
+        " matrix (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1. Jacobians and",
+        " momenta do so with the product of the quaternions of balls that follow each other.",
     ];
     lines.map(str::to_owned).into()
 }

@@ -44,7 +44,7 @@ use super::sweep::PerLink;
 use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace};
 use crate::ids::LinkId;
-use crate::math::{Dual, Mat3, Motion, Scalar, Vec3, Wrench};
+use crate::math::{Dual, FrameOrientation, Mat3, Motion, Scalar, Vec3, Wrench};
 use crate::model::InputKind;
 
 /// A change of the accelerations of all bodies outboard of a hinge, equation (1).
@@ -327,8 +327,9 @@ fn derivative<S: Scalar>(motion: Motion<Dual<S>>) -> Motion<S> {
 /// Returns the kinematics of a part that does not change.
 fn lifted<S: Scalar>(part: PartKinematics<S>) -> PartKinematics<Dual<S>> {
     let constant = |value: S| Dual::new(value, S::zero());
+    let matrix = part.part_to_work.matrix();
     PartKinematics {
-        part_to_work: Mat3::from_fn(|i, j| constant(part.part_to_work[i][j])),
+        part_to_work: FrameOrientation::from_matrix(Mat3::from_fn(|i, j| constant(matrix[i][j]))),
         point: Vec3(part.point.0.map(constant)),
         omega: Vec3(part.omega.0.map(constant)),
     }

@@ -72,9 +72,11 @@ pub fn loop_hinge<S: Scalar>(
     let hinge = hinge_kinematics(context, axes, (index, false), &part(parent));
     let alignment = kind.law().alignment(context.values);
     let PartKinematics { part_to_work, point, .. } = part(child);
-    let child_to_work = hinge.child_to_work * (part_to_work * (rotation * alignment)).transposed();
+    let part_to_work = part_to_work.matrix();
+    let child_to_work =
+        hinge.child_to_work.matrix() * (part_to_work * (rotation * alignment)).transposed();
     let child_arm = part_to_work * (origin - point);
-    let to_work = Rotation::from_matrix(hinge.child_to_work);
+    let to_work = Rotation::from_matrix(hinge.child_to_work.matrix());
     let active_forces: Vec<Wrench<S>> = active_forces(&hinge.aligned_subspace)
         .into_iter()
         .map(|force| force.rotated(&to_work))
@@ -94,7 +96,7 @@ fn constraints<S: Scalar>(
     if context.chain.hinges[index].is_prescribed() {
         return axes.iter().map(|&axis| fixed(Wrench::unit(axis))).collect();
     }
-    let to_work = Rotation::from_matrix(hinge.child_to_work);
+    let to_work = Rotation::from_matrix(hinge.child_to_work.matrix());
     let null_space = null_space(&hinge.aligned_subspace, axes).into_iter();
     let mut all: Vec<Constraint<S>> =
         null_space.map(|wrench| fixed(wrench.rotated(&to_work))).collect();

@@ -3,6 +3,7 @@
 
 mod dual;
 mod matrix;
+mod orientation;
 mod rotation;
 mod scalar;
 mod spatial;
@@ -12,6 +13,7 @@ mod vector;
 
 pub use dual::Dual;
 pub use matrix::{Mat3, Sym3};
+pub use orientation::FrameOrientation;
 pub use rotation::{AxisRotation, PlaneFormula, Rotation};
 pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};

@@ -7,7 +7,7 @@
 use super::law::{HingeLaw, identity_alignment};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
-use crate::math::{Mat3, Scalar, Vec3};
+use crate::math::{FrameOrientation, Mat3, Scalar, Vec3};
 
 /// A ball and socket.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +18,7 @@ impl<S: Scalar> HingeLaw<S> for Ball {
     /// states for the next hinge.
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         HingeGeometry {
-            rotation: Mat3::from_quaternion([q[0], q[1], q[2], q[3]]),
+            rotation: FrameOrientation::from_quaternion([q[0], q[1], q[2], q[3]]),
             columns: rotations(),
             ..HingeGeometry::fixed()
         }

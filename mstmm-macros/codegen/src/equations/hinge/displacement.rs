@@ -6,7 +6,7 @@
 //! since the displaced rotation is that of the quaternion, followed by the small rotation.
 
 use super::HingeGeometry;
-use crate::math::{AxisRotation, Motion, Scalar, Vec3};
+use crate::math::{AxisRotation, FrameOrientation, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// Returns the coordinates after a displacement from `q` along the rates: `q + N(q) δ`.
@@ -25,15 +25,17 @@ impl<S: Scalar> HingeGeometry<S> {
             chosen.fold(Motion::zero(), |sum, (column, &amount)| sum + column.motion.scaled(amount))
         };
         let (inboard, outboard) = (along(false), along(true));
-        let back = self.rotation.transposed();
+        let before = self.rotation.matrix();
+        let back = before.transposed();
         let turned = back * inboard.angular + outboard.angular;
         let axis_rotation = self.axis_rotation.map(|rotation| rotation.advanced(turned));
         let rotation = match &axis_rotation {
             Some(rotation) => rotation.matrix(),
-            None => self.rotation.followed_by_small(turned),
+            None => before.followed_by_small(turned),
         };
         let small = axis_rotation.is_none().then_some(turned);
-        let offset = self.offset + inboard.linear + self.rotation * outboard.linear;
+        let offset = self.offset + inboard.linear + before * outboard.linear;
+        let rotation = FrameOrientation::from_matrix(rotation);
         (HingeGeometry { rotation, axis_rotation, offset, ..self }, small)
     }
 }

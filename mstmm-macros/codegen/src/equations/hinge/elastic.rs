@@ -15,7 +15,7 @@
 use super::law::{HingeLaw, identity_alignment, without_quaternions};
 use super::{HingeGeometry, StrainMap, floating, strain};
 use crate::equations::SymbolValues;
-use crate::math::{Mat3, Scalar, Vec3};
+use crate::math::{FrameOrientation, Mat3, Scalar, Vec3};
 
 /// An elastic hinge.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ impl<S: Scalar> HingeLaw<S> for Elastic {
     fn geometry(&self, _: &SymbolValues<S>, q: &[S]) -> HingeGeometry<S> {
         let about = |k: usize| Mat3::axis_rotation(k, q[3 + k].sin_cos());
         HingeGeometry {
-            rotation: about(2) * (about(1) * about(0)),
+            rotation: FrameOrientation::from_matrix(about(2) * (about(1) * about(0))),
             offset: about(2) * Vec3([q[0], q[1], q[2]]),
             columns: floating::columns(),
             ..HingeGeometry::fixed()

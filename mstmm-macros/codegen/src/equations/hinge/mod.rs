@@ -39,14 +39,14 @@ pub use strain::StrainMap;
 pub use subspace_basis::{BasisVector, SubspaceBasis, empty_basis, subspace_basis};
 pub use transform::{HingeTransform, ToWorkAxes, combine, hinge_transform};
 
-use crate::math::{AxisRotation, Mat3, Motion, Scalar, Vec3};
+use crate::math::{AxisRotation, FrameOrientation, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// The geometry of a hinge at given coordinates, in aligned axes.
 #[derive(Clone, Debug)]
 pub struct HingeGeometry<S> {
     /// Rotation from outboard axes to inboard axes.
-    pub rotation: Mat3<S>,
+    pub rotation: FrameOrientation<S>,
     /// The same rotation, if it is about one of the axes.
     pub axis_rotation: Option<AxisRotation<S>>,
     /// From the inboard origin to the outboard origin in m, inboard axes.
@@ -69,7 +69,7 @@ impl<S: Scalar> HingeGeometry<S> {
     /// Both frames coincide; no degree of freedom.
     fn fixed() -> Self {
         HingeGeometry {
-            rotation: Mat3::identity(),
+            rotation: FrameOrientation::identity(),
             axis_rotation: None,
             offset: Vec3::zero(),
             columns: Vec::new(),
@@ -79,7 +79,7 @@ impl<S: Scalar> HingeGeometry<S> {
     /// The outboard frame is rotated about one axis.
     fn rotated(rotation: AxisRotation<S>) -> Self {
         HingeGeometry {
-            rotation: rotation.matrix(),
+            rotation: FrameOrientation::from_matrix(rotation.matrix()),
             axis_rotation: Some(rotation),
             ..HingeGeometry::fixed()
         }

@@ -4,14 +4,14 @@
 use super::{HingeGeometry, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::equations::strategy::rotates_in_steps;
-use crate::math::{AxisRotation, Mat3, Motion, Rotation, Scalar, Vec3};
+use crate::math::{AxisRotation, FrameOrientation, Mat3, Motion, Rotation, Scalar, Vec3};
 use crate::model::HingeKind;
 
 /// The transform across a hinge at given coordinates.
 #[derive(Clone, Debug)]
 pub struct HingeTransform<S> {
     /// Rotation from aligned child axes to aligned parent axes.
-    pub rotation: Mat3<S>,
+    pub rotation: FrameOrientation<S>,
     /// The rotation before a displacement, and the small rotation, in aligned child axes, of which the displacement consists.
     pub small_rotation: Option<(Mat3<S>, Vec3<S>)>,
     /// The same rotation, if it is about one of the aligned axes.
@@ -42,6 +42,13 @@ pub struct ToWorkAxes<S> {
     pub child_to_work: Mat3<S>,
 }
 
+impl<S: Scalar> ToWorkAxes<S> {
+    /// The rotations to work axes from aligned axes of both sides.
+    pub fn new(parent: FrameOrientation<S>, child: FrameOrientation<S>) -> Self {
+        ToWorkAxes { parent_to_work: parent.matrix(), child_to_work: child.matrix() }
+    }
+}
+
 /// Returns the transform across a hinge at coordinates `q`, or at a displacement from them.
 pub fn hinge_transform<S: Scalar>(
     kind: &HingeKind,
@@ -50,7 +57,7 @@ pub fn hinge_transform<S: Scalar>(
     reversed: bool,
 ) -> HingeTransform<S> {
     let geometry = kind.law().geometry(values, q);
-    let before = geometry.rotation;
+    let before = geometry.rotation.matrix();
     let (geometry, small) = match displacement {
         Some(along) => geometry.displaced(along),
         None => (geometry, None),
@@ -82,14 +89,14 @@ fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
 /// the outboard frame by the opposite motion, at its own origin.
 fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
-    let back = rotation.transposed() * offset;
+    let back = rotation.matrix().transposed() * offset;
     let oriented = |d: SubspaceColumn<S>| {
         let to_inboard = if d.on_outboard { -back } else { -offset };
         let motion = d.motion.shifted_to(to_inboard).scaled(-S::one());
         OrientedColumn { on_child: !d.on_outboard, motion }
     };
     HingeTransform {
-        rotation: rotation.transposed(),
+        rotation: rotation.inverse(),
         small_rotation: None,
         axis_rotation: axis_rotation.map(AxisRotation::inverse),
         offset: -back,
@@ -105,7 +112,7 @@ impl<S: Scalar> HingeTransform<S> {
         match (self.axis_rotation, self.small_rotation) {
             (Some(steps), _) if rotates_in_steps(side) => Rotation::from_steps(side, steps),
             (_, Some((before, small))) => Rotation::from_matrix(side * before).with_small(small),
-            _ => Rotation::from_matrix(side * self.rotation),
+            _ => Rotation::from_matrix(side * self.rotation.matrix()),
         }
     }
 

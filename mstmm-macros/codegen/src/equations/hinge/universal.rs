@@ -8,7 +8,7 @@ use super::axis::{Alignment, rotation_about};
 use super::law::{HingeLaw, rates_are_coordinate_rates, without_quaternions};
 use super::{HingeGeometry, StrainMap, SubspaceColumn};
 use crate::equations::SymbolValues;
-use crate::math::{Mat3, Scalar, Vec3};
+use crate::math::{FrameOrientation, Mat3, Scalar, Vec3};
 use crate::model::Value;
 
 /// A universal hinge.
@@ -26,7 +26,7 @@ impl<S: Scalar> HingeLaw<S> for Universal<'_> {
         let first = inboard_axis(&self.axes[0], &outboard, values);
         let rotation = first_rotation(first, q[0].sin_cos()) * outboard.rotation_by(q[1]).matrix();
         HingeGeometry {
-            rotation,
+            rotation: FrameOrientation::from_matrix(rotation),
             columns: vec![
                 SubspaceColumn::rotation(first),
                 SubspaceColumn::rotation(outboard.direction()).outboard(),

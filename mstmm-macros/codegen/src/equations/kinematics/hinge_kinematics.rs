@@ -4,7 +4,7 @@ use super::super::EvalContext;
 use super::super::hinge::{self, PassiveElements, SubspaceBasis, ToWorkAxes};
 use super::super::strategy::Axes;
 use super::PartKinematics;
-use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
+use crate::math::{FrameOrientation, Motion, Rotation, Scalar, Vec3, Wrench};
 use crate::model::HingeId;
 
 /// The kinematics of a hinge, in the work axes of its child unless another frame is named.
@@ -37,7 +37,7 @@ pub struct HingeKinematics<S> {
     /// Bias acceleration of the child's point relative to the parent's.
     pub bias_acceleration: BiasAcceleration<S>,
     /// Rotation from aligned child axes of the hinge to work axes.
-    pub child_to_work: Mat3<S>,
+    pub child_to_work: FrameOrientation<S>,
 }
 
 /// The bias acceleration `b` of a hinge: the acceleration of the child's point that velocities and
@@ -111,23 +111,22 @@ pub fn hinge_kinematics<S: Scalar>(
     let transform = hinge::hinge_transform(&hinge.kind, values, (q, displacement), reversed);
     let alignment = hinge.kind.law().alignment(values);
     let &PartKinematics { part_to_work, point, omega } = parent;
-    let from_parent_side = part_to_work * (from_rotation * alignment);
-    let of_child = ToWorkAxes {
-        parent_to_work: transform.rotation.transposed(),
-        child_to_work: Mat3::identity(),
+    let parent_side = part_to_work.then(FrameOrientation::from_matrix(from_rotation * alignment));
+    let (identity, to_child) = (FrameOrientation::identity(), transform.rotation.inverse());
+    let of_child = ToWorkAxes::new(to_child, identity);
+    let (to_parent, work, child_to_work) = match axes {
+        Axes::Body => {
+            let to_parent = transform.rotation_to_parent(parent_side.matrix());
+            (to_parent, of_child, identity)
+        }
+        Axes::Inertial => {
+            let child = parent_side.then(transform.rotation);
+            let to_parent = Rotation::from_matrix(identity.matrix());
+            (to_parent, ToWorkAxes::new(parent_side, child), child)
+        }
     };
-    let (to_parent, work) = match axes {
-        Axes::Body => (transform.rotation_to_parent(from_parent_side), of_child),
-        Axes::Inertial => (
-            Rotation::from_matrix(Mat3::identity()),
-            ToWorkAxes {
-                parent_to_work: from_parent_side,
-                child_to_work: from_parent_side * transform.rotation,
-            },
-        ),
-    };
-    let offset = from_parent_side * transform.offset;
-    let arm = part_to_work * (from_origin - point) + offset;
+    let offset = parent_side.matrix() * transform.offset;
+    let arm = part_to_work.matrix() * (from_origin - point) + offset;
     let subspace = transform.subspace(&work);
     let relative_velocity = hinge::combine(subspace.iter(), v);
     let hinge_bias = transform.bias_acceleration(&subspace, v, &work);
@@ -160,7 +159,7 @@ pub fn hinge_kinematics<S: Scalar>(
         parent_omega: omega,
         relative_velocity,
         bias_acceleration: BiasAcceleration { on_parent, in_hinge },
-        child_to_work: work.child_to_work,
+        child_to_work,
     }
 }
 

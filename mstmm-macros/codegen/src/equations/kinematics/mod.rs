@@ -28,7 +28,7 @@ use super::strategy::Axes;
 use super::sweep::{Flatten, PerLink};
 use super::{EvalContext, Trace};
 use crate::ids::LinkId;
-use crate::math::{Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
+use crate::math::{FrameOrientation, Mat3, Scalar, SpatialInertia, Sym3, Vec3, Wrench};
 use crate::model::{Attachment, Chain, Dimension, Hinge, Link, MovesWith};
 
 /// The kinematics of a link, in its work axes unless another frame is named.
@@ -58,7 +58,7 @@ pub struct LinkKinematics<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct PartKinematics<S> {
     /// Rotation from the axes of the part's frame to work axes.
-    pub part_to_work: Mat3<S>,
+    pub part_to_work: FrameOrientation<S>,
     /// The position of the link's point, in the part's frame.
     pub point: Vec3<S>,
     /// Angular velocity `Ω`, work axes.
@@ -69,13 +69,13 @@ impl<S: Scalar> PartKinematics<S> {
     /// The ground, which is at rest.
     pub fn ground() -> Self {
         let (point, omega) = (Vec3::zero(), Vec3::zero());
-        PartKinematics { part_to_work: Mat3::identity(), point, omega }
+        PartKinematics { part_to_work: FrameOrientation::identity(), point, omega }
     }
 }
 
 impl<S: Scalar> Flatten<S> for PartKinematics<S> {
     fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
-        let part_to_work = self.part_to_work.visit(replace);
+        let part_to_work = FrameOrientation::from_matrix(self.part_to_work.matrix().visit(replace));
         PartKinematics { part_to_work, omega: self.omega.visit(replace), ..self }
     }
 }
@@ -83,7 +83,8 @@ impl<S: Scalar> Flatten<S> for PartKinematics<S> {
 impl<S: Scalar> LinkKinematics<S> {
     /// Returns the kinematics of the link's part.
     pub fn part(&self) -> PartKinematics<S> {
-        PartKinematics { part_to_work: self.part_to_work, point: self.point, omega: self.omega }
+        let part_to_work = FrameOrientation::from_matrix(self.part_to_work);
+        PartKinematics { part_to_work, point: self.point, omega: self.omega }
     }
 
     /// Whether the link is a free base: it can move in all directions of the dimension relative to
@@ -122,7 +123,7 @@ pub fn kinematics<S: Scalar>(
     trace: &mut Trace<S>,
 ) -> PerLink<LinkKinematics<S>> {
     let (parts, links) = context.tree.outward(PartKinematics::ground(), |index, parent| {
-        let next = link_kinematics(context, axes, &context.layout.links[index], parent);
+        let (part, next) = link_kinematics(context, axes, &context.layout.links[index], parent);
         let name = &next.hinge.name;
         trace.section(
             format!("{name}_kinematics"),
@@ -135,48 +136,45 @@ pub fn kinematics<S: Scalar>(
         trace.vector(&format!("{name}_centripetal"), next.hinge.bias_acceleration.on_parent);
         trace.motion(&format!("{name}_bias_acc"), next.hinge.bias_acceleration.in_hinge);
         trace.rigid_body(&next.name, next.mass, next.first_moment, next.inertia);
-        (
-            PartKinematics {
-                part_to_work: next.part_to_work,
-                point: next.point,
-                omega: next.omega,
-            },
-            next,
-        )
+        (part, next)
     });
     let beyond = |(link, part): (LinkKinematics<S>, PartKinematics<S>)| LinkKinematics {
-        part_to_work: part.part_to_work,
+        part_to_work: part.part_to_work.matrix(),
         omega: part.omega,
         ..link
     };
     links.into_iter().zip(parts).map(beyond).collect()
 }
 
-/// Returns the kinematics of a link, from the kinematics of its parent.
+/// Returns the kinematics of a link's part and of the link, from the kinematics of its parent.
 fn link_kinematics<S: Scalar>(
     context: &EvalContext<S>,
     axes: Axes,
     link: &Link,
     parent: &PartKinematics<S>,
-) -> LinkKinematics<S> {
+) -> (PartKinematics<S>, LinkKinematics<S>) {
     let hinge = hinge_kinematics(context, axes, (link.hinge, link.reversed), parent);
     let (_, to) = attachments(context.chain, link);
     let (_, point, rotation) = context.frame_of(to);
     let alignment = context.chain.hinges[link.hinge].kind.law().alignment(context.values);
-    let part_to_work = hinge.child_to_work * (rotation * alignment).transposed();
+    let child_side = FrameOrientation::from_matrix(rotation * alignment);
+    let orientation = hinge.child_to_work.then(child_side.inverse());
+    let part_to_work = orientation.matrix();
     let carried = hinge.to_parent.rotate_back(parent.omega);
     let rigid = rigid_inertia(context, link, to, point);
-    LinkKinematics {
+    let omega = carried + hinge.relative_velocity.angular;
+    let link = LinkKinematics {
         name: context.chain.bodies[link.body].name.to_string(),
         parent: link.parent,
         point,
         part_to_work,
-        omega: carried + hinge.relative_velocity.angular,
+        omega,
         mass: rigid.mass,
         first_moment: part_to_work * rigid.first_moment,
         inertia: part_to_work.rotate_tensor(rigid.inertia),
         hinge,
-    }
+    };
+    (PartKinematics { part_to_work: orientation, point, omega }, link)
 }
 
 fn rigid_inertia<S: Scalar>(
