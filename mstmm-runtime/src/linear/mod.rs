@@ -3,7 +3,7 @@
 //!
 //! | function | computes |
 //! |---|---|
-//! | [`negative_product`] | −A D, for the derivatives −M⁻¹ D of accelerations |
+//! | [`negative_product`], [`negative_product_of_rows`] | −A D, for the derivatives −M⁻¹ D of accelerations |
 //! | [`solve`], [`solve_positive_definite`] | A⁻¹ B |
 //! | [`null_space`] | a basis B of the vectors with G b = 0, such as the rates that keep a chain closed |
 //! | [`discretize`] | the discrete model x⁺ = A x + B u of a step with held inputs |
@@ -101,7 +101,7 @@ mod solve;
 
 pub use discrete::{DiscreteModel, Linearization, Linearize, Sensitivity, discretize};
 pub use null_space::null_space;
-pub use product::negative_product;
+pub use product::{negative_product, negative_product_of_rows};
 pub use regulator::{Lqr, lqr};
 pub use solve::{solve, solve_positive_definite};
 

@@ -5,6 +5,7 @@
 
 use super::Columns;
 use crate::Scalar;
+use core::ops::Range;
 use nalgebra::SMatrix;
 
 /// Computes −A D into `out`.
@@ -28,6 +29,32 @@ pub fn negative_product<T: Scalar, const N: usize, const M: usize>(
         padded::<T, 8, N, M>(a, d, out);
     } else {
         padded::<T, N, N, M>(a, d, out);
+    }
+}
+
+/// Computes −A D into `out` for a matrix D that has zeros.
+///
+/// Robots that branch have such derivatives D, since a rate of one limb does not change the efforts in another. `pattern` has
+/// the numbers of neighbouring columns of D, each with the rows where they may have other numbers than zero. Other rows
+/// are not read. Columns beyond those of the pattern stay unchanged, and rows beyond N do not count. Sums are in the order of
+/// [`negative_product`].
+pub fn negative_product_of_rows<T: Scalar, const N: usize, const M: usize>(
+    a: &SMatrix<T, N, N>,
+    d: &SMatrix<T, N, M>,
+    pattern: &[(usize, &[Range<usize>])],
+    out: &mut SMatrix<T, N, M>,
+) {
+    let a = &a.data.0;
+    let mut columns = out.data.0.iter_mut().zip(&d.data.0);
+    for &(count, rows) in pattern {
+        for (out, d) in columns.by_ref().take(count) {
+            let mut sum = [T::constant(0.0); N];
+            for rows in rows {
+                let (Some(a), Some(d)) = (a.get(rows.clone()), d.get(rows.clone())) else { break };
+                add_negative_combination(&mut sum, a, d);
+            }
+            *out = sum;
+        }
     }
 }
 
@@ -64,12 +91,22 @@ fn negative_combination<T: Scalar, const R: usize, const K: usize>(
     factors: &[T; K],
 ) -> [T; R] {
     let mut sum = [T::constant(0.0); R];
+    add_negative_combination(&mut sum, columns, factors);
+    sum
+}
+
+/// Adds −Σ factor · column to `sum`.
+#[inline(always)]
+fn add_negative_combination<T: Scalar, const R: usize>(
+    sum: &mut [T; R],
+    columns: &[[T; R]],
+    factors: &[T],
+) {
     for (column, &factor) in columns.iter().zip(factors) {
         for (sum, &entry) in sum.iter_mut().zip(column) {
             *sum = entry.mul_neg_add(factor, *sum);
         }
     }
-    sum
 }
 
 /// Adds A B to `sum`.

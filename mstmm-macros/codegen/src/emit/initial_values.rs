@@ -14,9 +14,13 @@ pub fn array(cx: &EmitContext, id: OutputId) -> TokenStream {
 
 /// Returns the initial array of a result of an answer, if the answer has it.
 pub fn array_of(cx: &EmitContext, answer: Answer, id: OutputId) -> Option<TokenStream> {
+    result_of(cx, answer, id).map(|array| of_array(cx, array))
+}
+
+/// Returns a result of an answer, if the answer has it.
+pub fn result_of<'a>(cx: &'a EmitContext, answer: Answer, id: OutputId) -> Option<&'a Array> {
     let arrays = &cx.compiled.find(answer)?.procedure.arrays;
-    let array = arrays.iter().find(|array| array.role == ArrayRole::Result(id));
-    array.map(|array| of_array(cx, array))
+    arrays.iter().find(|array| array.role == ArrayRole::Result(id))
 }
 
 fn of_array(cx: &EmitContext, array: &Array) -> TokenStream {
@@ -42,7 +46,7 @@ pub fn entry(cx: &EmitContext, id: OutputId, entry: usize) -> TokenStream {
 }
 
 /// Returns a constant. It may be infinite if a chain has no inertia; the test of the pivots fails before anyone reads it.
-fn constant(value: f64) -> TokenStream {
+pub fn constant(value: f64) -> TokenStream {
     if value.is_finite() {
         quote!(T::constant(#value))
     } else {
@@ -60,6 +64,5 @@ fn result<'a>(cx: &'a EmitContext, id: OutputId) -> &'a Array {
 }
 
 fn find<'a>(cx: &'a EmitContext, id: OutputId) -> Option<&'a Array> {
-    let arrays = &cx.compiled.function(Answer::Solution).procedure.arrays;
-    arrays.iter().find(|array| array.role == ArrayRole::Result(id))
+    result_of(cx, Answer::Solution, id)
 }

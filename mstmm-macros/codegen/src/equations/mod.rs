@@ -96,7 +96,7 @@ pub use regressor::{dynamic_parameters, regressor, regressor_times};
 pub use regressor_motions::{GivenMotion, RegressorMotions, regressor_motions};
 pub use report::{Report, report};
 pub use springs::{SpringReport, spring_report};
-pub use strategy::{AXES, Axes, takes_rates_together, writes_matrices_out};
+pub use strategy::{AXES, Axes, leaves_out_zeros, takes_rates_together, writes_matrices_out};
 pub use sweep::{Channel, LinkTree, LoopHook};
 pub use symbol_values::SymbolValues;
 pub use tangent::{Direction, Tangent};

@@ -75,6 +75,14 @@ pub fn writes_matrices_out(has_repeats: bool, rates: usize) -> bool {
     !has_repeats && rates <= MAX_DENSE_RATES
 }
 
+/// Whether a product with a matrix leaves out the entries that vanish in every state, for their number and that of all entries.
+///
+/// Loops of known length over full columns are faster as long as there are few of these entries. The products of HyQ leave out
+/// half of the entries, and A and B then take 1620 instead of 1725 ns (Zen 4).
+pub fn leaves_out_zeros(vanishing: usize, entries: usize) -> bool {
+    4 * vanishing > entries
+}
+
 /// The smallest number of pairs of a body and a rate that moves it for which a regressor is computed with several rates at a
 /// time.
 const FEWEST_MOVING_PAIRS: usize = 64;

@@ -1,16 +1,15 @@
 //! The methods for the derivatives of inverse dynamics and of the accelerations.
 
 use super::super::arrays::usize_literal;
-use super::super::names::helper;
 use super::super::printer::Destination;
 use super::super::{EmitContext, quaternions};
 use super::dynamics::of_accelerations;
-use super::{MethodTemplate, fallible, of_state_and_inputs};
-use crate::compile::{layouts, outputs};
-use crate::model::{Answer, InputKind};
+use super::{MethodTemplate, fallible, negative_products, of_state_and_inputs};
+use crate::compile::outputs;
+use crate::model::Answer;
 use crate::program::OutputId;
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::TokenStream;
+use quote::quote;
 
 /// Returns the docs of the derivatives of inverse dynamics.
 pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
@@ -89,14 +88,14 @@ pub(super) fn docs_of_linearization(cx: &EmitContext) -> [TokenStream; 2] {
 pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
     let visibility = &cx.passthrough.visibility;
     let (given, linearization) = (of_state_and_inputs(cx), &cx.names.linearization);
-    let products = products(cx);
+    let (products, state) = (negative_products::products(cx), set_state(cx));
     MethodTemplate {
         name: quote!(#visibility fn linearize_into),
         docs: docs_of_linearization(cx),
         arguments: quote!(#given linearization_: &mut #linearization<T>,),
         returns: fallible(cx, &quote!(())),
-        opening: factors(cx),
-        end: quote!(#products ::core::result::Result::Ok(())),
+        opening: negative_products::factors(cx),
+        end: quote!(#products #state ::core::result::Result::Ok(())),
         destination: |cx, id: OutputId| {
             let place = match id {
                 outputs::ACCELERATIONS => {
@@ -112,52 +111,6 @@ pub(super) fn linearization(cx: &EmitContext) -> MethodTemplate {
             Destination::Matrix(place, cx.rates().total)
         },
     }
-}
-
-/// Returns the factors of products with `−M⁻¹`, each with its number of columns: derivatives of inverse dynamics.
-fn factors_of(cx: &EmitContext) -> Vec<(Ident, Ident, usize)> {
-    let rates = cx.rates().total;
-    let parameters = layouts::parameters(cx.chain).total;
-    let all = [("by_coordinates", rates), ("by_rates", rates), ("by_parameters", parameters)];
-    let used = all.into_iter().filter(|(_, columns)| *columns > 0);
-    used.map(|(name, columns)| (format_ident!("{name}"), helper(name), columns)).collect()
-}
-
-/// Returns the declarations of these factors, which the products read and do not write.
-fn factors(cx: &EmitContext) -> TokenStream {
-    let (mstmm, rows) = (&cx.mstmm, usize_literal(cx.rates().total));
-    let declared = factors_of(cx).into_iter().map(|(_, factor, columns)| {
-        let columns = usize_literal(columns);
-        quote!(let mut #factor = #mstmm::generated::matrix([[T::constant(0.0); #rows]; #columns]);)
-    });
-    declared.collect()
-}
-
-/// Returns the statements that multiply derivatives of inverse dynamics by `−M⁻¹`, and set what `a()` needs.
-fn products(cx: &EmitContext) -> TokenStream {
-    let mstmm = &cx.mstmm;
-    let inverse = quote!(linearization_.inverse_mass_matrix);
-    let products = factors_of(cx).into_iter().map(|(result, factor, _)| {
-        quote! {
-            #mstmm::linear::negative_product(&#inverse, &#factor, &mut linearization_.#result);
-        }
-    });
-    let mut statements: TokenStream = products.collect();
-    // The columns of motors are those of the inverse.
-    for input in &cx.layout.inputs {
-        if !matches!(input.what, InputKind::Efforts(_)) {
-            let [start, end] = [input.range.start, input.range.end].map(usize_literal);
-            statements.extend(quote! {
-                if let ::core::option::Option::Some(columns_) =
-                    linearization_.by_inputs.data.0.get_mut(#start..#end)
-                {
-                    #mstmm::generated::multiply_by_negative(&#inverse, columns_);
-                }
-            });
-        }
-    }
-    let state = set_state(cx);
-    quote!(#statements #state)
 }
 
 /// Returns the statement that sets what `a()` needs: the rates, and where those of rotations in space are.

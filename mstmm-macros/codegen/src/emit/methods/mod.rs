@@ -10,6 +10,7 @@ mod inverse_dynamics;
 mod kinematics;
 mod mass_matrix;
 mod momentum;
+mod negative_products;
 mod packed;
 mod products;
 mod regressor;
