@@ -176,6 +176,31 @@ fn cheap_inputs_have_their_gain() -> Result<(), Error> {
     Ok(())
 }
 
+/// Motions that grow six times in a step: the doubling finds no gain for some of these systems in single precision.
+#[test]
+fn closed_loops_of_fast_growing_motions_are_stable() {
+    fn check<const X: usize, const U: usize>() {
+        for seed in 0..60 {
+            let mut problem = Problem::<X, U>::random(seed, 6.0);
+            // The numbers of the single precision, so that both have the same system.
+            let rounded = |number: f64| f64::from(number as f32);
+            (problem.a, problem.b) = (problem.a.map(rounded), problem.b.map(rounded));
+            let regulator = problem.lqr().expect("stabilizable");
+            let radius = problem.radius(&regulator);
+            assert!(radius < 1.0, "seed {seed}: {radius}");
+            let Problem { a, b, q, r } = &problem;
+            let single =
+                lqr::<f32, X, U>(&converted(a), &converted(b), &converted(q), &converted(r));
+            let gain = single.expect("stabilizable").gain.map(f64::from);
+            let radius = problem.radius(&Lqr { gain, ..regulator });
+            assert!(radius < 1.0, "seed {seed}, single precision: {radius}");
+        }
+    }
+    check::<2, 1>();
+    check::<4, 2>();
+    check::<8, 2>();
+}
+
 /// A cart with a pole upright, over wide ranges of steps and weights, and in single precision, where A differs from the
 /// unit matrix by the last digits only.
 #[test]
