@@ -60,9 +60,12 @@ mstmm_chain! {
     }
 }
 
-/// Returns the numbers of all answers at a state that has no symmetry.
-fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
-    let number = |k: usize| T::constant(0.7 * (1.7 * k as f64).sin());
+fn number<T: Scalar>(k: usize) -> T {
+    T::constant(0.7 * (1.7 * k as f64).sin())
+}
+
+/// Returns the robot at a state that has no symmetry, and inputs.
+fn sample<T: Scalar>() -> Result<(Robot<T>, RobotState<T>, RobotInputs<T>), Error> {
     let mut robot = Robot::<T>::new();
     robot.set_damping(T::constant(0.3))?;
     let mut state = robot.initial_state();
@@ -76,6 +79,19 @@ fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
     let mut inputs = RobotInputs::default();
     (inputs.lf_knee, inputs.rh_hip_joint) = (number(3), number(4));
     inputs.rf_ground_force_force = [5, 6, 7].map(number).into();
+    Ok((robot, state, inputs))
+}
+
+fn direction<T: Scalar>() -> RobotVariation<T> {
+    let mut direction = RobotVariation::default();
+    direction.coordinates.iter_mut().enumerate().for_each(|(k, x)| *x = number(k + 80));
+    direction.inputs.iter_mut().enumerate().for_each(|(k, x)| *x = number(k + 90));
+    direction
+}
+
+/// Returns the numbers of all answers.
+fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
+    let (robot, state, inputs) = sample::<T>()?;
     let accelerations = robot.accelerations(&state, &inputs)?;
     let mut all: Vec<T> = accelerations.iter().copied().collect();
     let mut at = robot.workspace();
@@ -92,11 +108,8 @@ fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
     all.extend(derivatives.by_coordinates.iter().chain(derivatives.by_rates.iter()));
     let linear = robot.linearize(&state, &inputs)?;
     all.extend(linear.a().iter());
-    let mut direction = RobotVariation::default();
-    direction.coordinates.iter_mut().enumerate().for_each(|(k, x)| *x = number(k + 80));
-    direction.inputs.iter_mut().enumerate().for_each(|(k, x)| *x = number(k + 90));
     let (mut along, mut change) = (accelerations, accelerations);
-    robot.push_into(&state, &inputs, &direction, &mut along, &mut change)?;
+    robot.push_into(&state, &inputs, &direction(), &mut along, &mut change)?;
     all.extend(change.iter());
     Ok(all)
 }
@@ -121,4 +134,35 @@ fn packs_of_f64_have_the_results_of_lanes() -> Result<(), Error> {
 #[test]
 fn packs_of_f32_have_the_results_of_lanes() -> Result<(), Error> {
     compare::<f32, NativeF32>()
+}
+
+/// The products with the inverse mass matrix leave out what one limb does not change in another. Products with the
+/// matrices have the results of a sweep that does not use them.
+#[test]
+fn matrices_have_the_products_of_a_sweep() -> Result<(), Error> {
+    let (robot, state, inputs) = sample::<f64>()?;
+    let linear = robot.linearize(&state, &inputs)?;
+    let mut along = linear.accelerations;
+    let mut change = along;
+    let rates = along.len();
+    for rate in 0..rates {
+        for of_rate in [false, true] {
+            let mut unit = RobotVariation::default();
+            let entries = if of_rate { &mut unit.rates } else { &mut unit.coordinates };
+            entries[rate] = 1.0;
+            robot.push_into(&state, &inputs, &unit, &mut along, &mut change)?;
+            let matrix = if of_rate { &linear.by_rates } else { &linear.by_coordinates };
+            let off = (matrix.column(rate) - change).abs().max();
+            let size = linear.inverse_mass_matrix.abs().max() * 100.0;
+            // Efforts change by up to 100 N or N m; sums of twenty products, and about fifty roundings of each.
+            assert!(off < 1000.0 * f64::EPSILON * size, "rate {rate}, {of_rate}: {off:e}");
+        }
+    }
+    let direction = direction();
+    robot.push_into(&state, &inputs, &direction, &mut along, &mut change)?;
+    let products =
+        linear.by_coordinates * direction.coordinates + linear.by_inputs * direction.inputs;
+    let off = (products - change).abs().max() / change.abs().max();
+    assert!(off < 1000.0 * f64::EPSILON, "{off:e}");
+    Ok(())
 }

@@ -36,8 +36,8 @@ pub fn negative_product<T: Scalar, const N: usize, const M: usize>(
 ///
 /// Robots that branch have such derivatives D, since a rate of one limb does not change the efforts in another. `pattern` has
 /// the numbers of neighbouring columns of D, each with the rows where they may have other numbers than zero. Other rows
-/// are not read. Columns beyond those of the pattern stay unchanged, and rows beyond N do not count. Sums are in the order of
-/// [`negative_product`].
+/// are not read. Ranges that exceed N are left out, and columns beyond those of the pattern stay unchanged. Sums are in the
+/// order of [`negative_product`].
 pub fn negative_product_of_rows<T: Scalar, const N: usize, const M: usize>(
     a: &SMatrix<T, N, N>,
     d: &SMatrix<T, N, M>,
@@ -50,8 +50,9 @@ pub fn negative_product_of_rows<T: Scalar, const N: usize, const M: usize>(
         for (out, d) in columns.by_ref().take(count) {
             let mut sum = [T::constant(0.0); N];
             for rows in rows {
-                let (Some(a), Some(d)) = (a.get(rows.clone()), d.get(rows.clone())) else { break };
-                add_negative_combination(&mut sum, a, d);
+                if let (Some(a), Some(d)) = (a.get(rows.clone()), d.get(rows.clone())) {
+                    add_negative_combination(&mut sum, a, d);
+                }
             }
             *out = sum;
         }

@@ -62,6 +62,7 @@ pub(super) fn products(cx: &EmitContext) -> TokenStream {
                 #mstmm::linear::negative_product(&#inverse, &#name, &mut linearization_.#result);
             };
         }
+        // The numbers of columns, and the rows where they may have other numbers than zero.
         let pattern = pattern_of(array, rates);
         let pattern = pattern.iter().map(|(columns, rows)| {
             let columns = usize_literal(*columns);
@@ -72,7 +73,6 @@ pub(super) fn products(cx: &EmitContext) -> TokenStream {
             quote!((#columns, &[#(#rows),*]))
         });
         quote! {
-            // The numbers of columns, and the rows where they may have other numbers than zero.
             #mstmm::linear::negative_product_of_rows(
                 &#inverse, &#name, &[#(#pattern),*], &mut linearization_.#result,
             );
