@@ -64,8 +64,14 @@ fn number<T: Scalar>(k: usize) -> T {
     T::constant(0.7 * (1.7 * k as f64).sin())
 }
 
-/// Returns the robot at a state that has no symmetry, and inputs.
-fn sample<T: Scalar>() -> Result<(Robot<T>, RobotState<T>, RobotInputs<T>), Error> {
+struct Sample<T> {
+    robot: Robot<T>,
+    state: RobotState<T>,
+    inputs: RobotInputs<T>,
+}
+
+/// Returns the robot at a state that has no symmetry.
+fn sample<T: Scalar>() -> Result<Sample<T>, Error> {
     let mut robot = Robot::<T>::new();
     robot.set_damping(T::constant(0.3))?;
     let mut state = robot.initial_state();
@@ -79,7 +85,7 @@ fn sample<T: Scalar>() -> Result<(Robot<T>, RobotState<T>, RobotInputs<T>), Erro
     let mut inputs = RobotInputs::default();
     (inputs.lf_knee, inputs.rh_hip_joint) = (number(3), number(4));
     inputs.rf_ground_force_force = [5, 6, 7].map(number).into();
-    Ok((robot, state, inputs))
+    Ok(Sample { robot, state, inputs })
 }
 
 fn direction<T: Scalar>() -> RobotVariation<T> {
@@ -91,7 +97,7 @@ fn direction<T: Scalar>() -> RobotVariation<T> {
 
 /// Returns the numbers of all answers.
 fn answers<T: Scalar>() -> Result<Vec<T>, Error> {
-    let (robot, state, inputs) = sample::<T>()?;
+    let Sample { robot, state, inputs } = sample::<T>()?;
     let accelerations = robot.accelerations(&state, &inputs)?;
     let mut all: Vec<T> = accelerations.iter().copied().collect();
     let mut at = robot.workspace();
@@ -140,7 +146,7 @@ fn packs_of_f32_have_the_results_of_lanes() -> Result<(), Error> {
 /// matrices have the results of a sweep that does not use them.
 #[test]
 fn matrices_have_the_products_of_a_sweep() -> Result<(), Error> {
-    let (robot, state, inputs) = sample::<f64>()?;
+    let Sample { robot, state, inputs } = sample::<f64>()?;
     let linear = robot.linearize(&state, &inputs)?;
     let mut along = linear.accelerations;
     let mut change = along;
