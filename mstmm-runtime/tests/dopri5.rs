@@ -103,6 +103,9 @@ fn interpolation_outside_the_last_step_is_refused() {
     refused(&integrator, -1e-9, &mut out);
     refused(&integrator, state.t * 1.001, &mut out);
     refused(&integrator, f64::NAN, &mut out);
+    // A start that is not finite is an error of the arguments: the last step is kept.
+    integrator.step(&chain, &mut Pendulum::at(f64::NAN, 0.0), |_, _| 0.0).unwrap_err();
+    assert_eq!(integrator.interpolate(&chain, 0.5 * state.t, &mut out.clone()), Ok(()));
     integrator.step(&chain, &mut state, |_, _| f64::NAN).unwrap_err();
     refused(&integrator, state.t, &mut out);
 }

@@ -14,7 +14,7 @@ use crate::{Chain, ChainState, Error, Scalar};
 
 /// The reason why a step failed.
 pub(super) enum Failure<X> {
-    /// An error of the inputs, which ends the step.
+    /// An error of the inputs or of the state at the start, which ends the step.
     Inputs(X),
     /// An error of the chain or of the step size control. During an attempt, a shorter step may not have it.
     Chain(Error),
@@ -47,7 +47,7 @@ impl<C: Chain> Dopri5<C> {
         copy(start, state);
         copy(end, state);
         if !is_finite(start) {
-            return Err(not_finite(start).into());
+            return Err(Failure::Inputs(not_finite(start).into()));
         }
         evaluate(chain, end, inputs, &mut self.statistics, first)?;
         if !has_finite_entries(first) {
