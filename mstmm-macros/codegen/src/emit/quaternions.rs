@@ -132,6 +132,19 @@ pub fn error(cx: &EmitContext) -> Vec<String> {
     vec![String::new(), text.to_owned()]
 }
 
+/// Returns the docs of products of quaternions whose lengths are not one.
+pub fn products(cx: &EmitContext) -> Vec<String> {
+    if checked(cx).is_empty() {
+        return Vec::new();
+    }
+    let lines = [
+        "",
+        " The quaternions of balls that follow each other are multiplied. If a length n is not one, poses and",
+        " Jacobians therefore differ from those of a workspace, by terms of the order of n² − 1.",
+    ];
+    lines.map(str::to_owned).into()
+}
+
 /// Returns the docs of quaternions whose length is not one, for functions that do not check them.
 pub fn near_one(cx: &EmitContext) -> Vec<String> {
     if checked(cx).is_empty() {

@@ -17,7 +17,7 @@ pub(super) fn kinematics(cx: &EmitContext) -> MethodTemplate {
             /// The Jacobian of any point follows from the columns of all rates, which are computed with the motions.
         }
     });
-    let given = of_state_and_inputs(cx);
+    let (given, products) = (of_state_and_inputs(cx), quaternions::products(cx));
     let reset = quote! {
         #mstmm::generated::reset(at_, || ::core::default::Default::default());
     };
@@ -32,6 +32,7 @@ pub(super) fn kinematics(cx: &EmitContext) -> MethodTemplate {
                 /// Computes position, orientation, velocity and bias acceleration (the acceleration at `v̇ = 0`) of all
                 /// bodies, without dynamics. Gravity, loads and efforts do not matter.
                 #jacobian
+                #(#[doc = #products])*
             },
             quote! {
                 ///
