@@ -24,7 +24,7 @@ pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics:
                 )
             }
             [None] => format!(
-                "`{name}` has {times} values: only a part that is repeated as many times can use \
+                "`{name}` has a value for each of {times} repetitions: only a part that is repeated as many times can use \
                  it"
             ),
             _ => format!(

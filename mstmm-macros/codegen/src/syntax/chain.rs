@@ -162,7 +162,9 @@ fn item(
     } else if lookahead::is_route(input) {
         content::route(input, &mut def.content, diagnostics);
     } else {
-        content::unknown(input, &mut def.content, diagnostics);
+        let items = "`gravity`, `method`, `results`, `answers`, `param`, `body`, `part`, the routes, `hinge`, \
+                     `load` and `spring`";
+        content::unknown(items, input, &mut def.content, diagnostics);
     }
 }
 

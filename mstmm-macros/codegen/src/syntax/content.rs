@@ -79,8 +79,13 @@ pub(super) fn route(input: &mut Cursor, def: &mut ContentSyntax, diagnostics: &m
     def.routes.push(route::route(input, diagnostics));
 }
 
-/// Reports an item that begins with no keyword.
-pub(super) fn unknown(input: &mut Cursor, def: &mut ContentSyntax, diagnostics: &mut Diagnostics) {
+/// Reports an item that begins with no keyword; `items` are those that can be here.
+pub(super) fn unknown(
+    items: &str,
+    input: &mut Cursor,
+    def: &mut ContentSyntax,
+    diagnostics: &mut Diagnostics,
+) {
     let start = *input;
     let Some(word) = input.peek_ident() else {
         // This may be the rest of the route.
@@ -97,16 +102,15 @@ pub(super) fn unknown(input: &mut Cursor, def: &mut ContentSyntax, diagnostics: 
     if let Some(message) = other_programs::item(&word) {
         return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
     }
-    let near = other_programs::keyword(&word)
-        .or_else(|| nearest(&word.to_string(), ITEMS.iter().chain(SETTINGS).copied()));
-    let hint = near.map_or_else(
-        || {
-            "the items are `gravity`, `method`, `results`, `answers`, `param`, `body`, `part`, \
-            the routes, `hinge`, `load` and `spring`"
-                .to_owned()
-        },
-        |near| format!("did you mean `{near}`?"),
-    );
+    if word == "moving" {
+        let message =
+            "a moving end begins or ends a route: write `moving name -> …` or `… -> moving name`";
+        return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
+    }
+    let known = ITEMS.iter().chain(SETTINGS).copied().filter(|known| word != known);
+    let near = other_programs::keyword(&word).or_else(|| nearest(&word.to_string(), known));
+    let hint = near
+        .map_or_else(|| format!("the items are {items}"), |near| format!("did you mean `{near}`?"));
     let message = format!("unknown item `{word}`; {hint}");
     report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
 }

@@ -106,7 +106,8 @@ fn piece(input: &mut Cursor, def: &mut ContentSyntax, diagnostics: &mut Diagnost
     } else if lookahead::is_route(input) {
         content::route(input, def, diagnostics);
     } else {
-        content::unknown(input, def, diagnostics);
+        let items = "`body`, the routes, `hinge`, `load` and `spring`";
+        content::unknown(items, input, def, diagnostics);
     }
 }
 
@@ -123,6 +124,7 @@ fn refused(input: &Cursor) -> Option<String> {
         );
     }
     let is_setting = lookahead::SETTINGS.iter().any(|setting| word == setting);
-    (is_setting && ahead.peek_punct('=') && !ahead.peek_pair('=', '>'))
+    let is_name = ['-', '='].iter().any(|&first| ahead.peek_pair(first, '>'));
+    (is_setting && !is_name)
         .then(|| format!("write `{word}` outside of parts: it is a setting of the whole chain"))
 }

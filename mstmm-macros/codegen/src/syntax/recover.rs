@@ -11,8 +11,13 @@ use crate::diag::{Diagnostics, nearest};
 /// Reads the rest of a route after an error for its names, without further messages.
 pub(super) fn rest(input: &mut Cursor, read: &mut RouteSyntax) {
     read.complete = false;
-    let mut inside = *input;
+    let inside = *input;
     input.skip_statement();
+    names(inside, read);
+}
+
+/// Reads items after an error for their names, to the end of the route.
+pub(super) fn names(mut inside: Cursor, read: &mut RouteSyntax) {
     while !inside.is_empty() && inside.punct(';').is_none() && !lookahead::begins_block(&inside) {
         match repeated(&mut inside) {
             Some((at, count, mut part)) => {

@@ -245,6 +245,10 @@ fn branches(
     route.complete = false;
     let mut separators = Separators::reported();
     while !inside.is_empty() {
+        if inside.peek_ident().is_some_and(|word| word == "repeat") {
+            recover::names(inside, route);
+            return Ok(());
+        }
         let item = route_item(&mut inside, diagnostics)?;
         route.steps.push(StepSyntax::Item(item));
         let joined = inside.punct(';').is_some() || separators.read(&mut inside, diagnostics);

@@ -174,7 +174,7 @@ pub(super) fn hinges_connect_two_sides(draft: &Draft, diagnostics: &mut Diagnost
     }
 }
 
-/// Reports closed chains without a hinge that is free to move.
+/// Reports closed chains whose first route has no hinge that is free to move.
 pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostics) {
     let Some(route) = readable_routes(draft).next() else { return };
     let [first, middle @ .., last] = &route.route.items[..] else { return };
@@ -198,8 +198,8 @@ pub(super) fn closed_chains_can_move(draft: &Draft, diagnostics: &mut Diagnostic
         && has_body
         && middle.iter().all(is_rigid)
     {
-        let message = "the chain is held at both ends and all its hinges are welds or \
-                       prescribed: add a hinge that can move, or leave one end free";
+        let message = "the route is held at both ends and cannot move, since all its hinges are welds \
+                       or prescribed: add a hinge that can move to it, or leave one end free";
         diagnostics.error(at, message);
     }
 }

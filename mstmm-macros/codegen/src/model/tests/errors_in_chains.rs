@@ -291,7 +291,7 @@ fn parameters_with_many_numbers_belong_to_one_repeated_part() {
     expect_rope(3, "1 kg", "m", &[]);
     let count = "`m` has 3 values, but its part is repeated 2 times: write the same count in both";
     expect_rope(2, "1 kg", "m", &[("m", count)]);
-    let outside = "`m` has 3 values: only a part that is repeated as many times can use it";
+    let outside = "`m` has a value for each of 3 repetitions: only a part that is repeated as many times can use it";
     expect_rope(3, "m", "1 kg", &[("m", outside)]);
     let both = "`m` has one value for each repetition of a part, and is used elsewhere too: \
                 write a separate parameter for the other uses";

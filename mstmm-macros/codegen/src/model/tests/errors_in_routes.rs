@@ -246,6 +246,22 @@ fn items_next_to_the_route_are_not_a_second_route() {
 }
 
 #[test]
+fn repeated_parts_in_branches_have_no_errors_of_their_own() {
+    expect_rods(
+        "ground -> { pin j -> Rod rod -> repeat 2 { pin k -> Rod last } }; hinge k { damping = 1; }",
+        &[("{", "write a branch as another route, after the `;` of this one: …")],
+    );
+}
+
+#[test]
+fn moving_ends_are_on_routes() {
+    let message =
+        "a moving end begins or ends a route: write `moving name -> …` or `… -> moving name`";
+    expect_rods("moving deck; moving deck -> pin j -> Rod rod;", &[("moving", message)]);
+    expect_rods("moving; moving deck -> pin j -> Rod rod;", &[("moving", message)]);
+}
+
+#[test]
 fn moving_ends_have_no_place() {
     let message = "a moving end has no position: its motion is an input";
     expect_rods("moving deck at [1, 0, 0] -> pin j -> Rod rod;", &[("at", message)]);

@@ -197,15 +197,23 @@ fn parts_have_no_ends_and_no_settings() {
         )],
     );
     part("param k = 1; pin a -> Rod b;", &[("param", "write `param` outside of parts, and …")]);
-    part(
-        "method = riccati; pin a -> Rod b;",
-        &[("method", "write `method` outside of parts: it …")],
-    );
+    for setting in ["method = riccati", "method riccati", "method"] {
+        part(
+            &format!("{setting}; pin a -> Rod b;"),
+            &[("method", "write `method` outside of parts: it …")],
+        );
+    }
     part(
         "part Toe { pin c -> Rod d; } pin a -> Rod b;",
         &[("part", "write a `part` outside of other …")],
     );
-    part("pin a -> Rod b; nonsense;", &[("nonsense", "unknown item `nonsense`; …")]);
+    part(
+        "pin a -> Rod b; nonsense;",
+        &[(
+            "nonsense",
+            "unknown item `nonsense`; the items are `body`, the routes, `hinge`, `load` and `spring`",
+        )],
+    );
 }
 
 #[test]
