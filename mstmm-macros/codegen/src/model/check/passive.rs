@@ -1,11 +1,12 @@
 //! Springs, dampers, friction, limits and rotors of hinges.
 
 use crate::diag::Diagnostics;
-use crate::model::condition::{Bound, Requirement};
+use crate::model::condition::{Bound, Condition, Requirement};
 use crate::model::lower::{Draft, FieldNames, Fields, RouteItem, groups, listed};
 use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
-use crate::model::{DofGroup, Passive, Representation};
+use crate::model::{DofGroup, Passive, Representation, Value};
 use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
+use std::f64::consts::PI;
 
 /// Fields that need another field.
 const NEEDED: &[(FieldName, FieldName)] = &[
@@ -15,6 +16,9 @@ const NEEDED: &[(FieldName, FieldName)] = &[
     (|names| names.limit_stiffness, |names| names.limits),
     (|names| names.limit_damping, |names| names.limits),
 ];
+
+/// The message for a limit of an angle that is measured by the shorter way.
+const NEVER_REACHED: &str = "this angle is never larger than 180 deg: a larger limit has no effect; a number without a unit is in rad";
 
 type FieldName = fn(&FieldNames) -> &'static str;
 
@@ -155,11 +159,17 @@ pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
             && let Some(syntax) = &field.value
             && once.is_new(field, 0)
         {
-            let rule = match representation {
-                Representation::Quaternion => LARGEST_ANGLE,
-                Representation::Numbers | Representation::Angles => WIDTH,
-            };
-            requirements.push(vec![rule.condition(limits.width(), syntax.extent())]);
+            let at = syntax.extent();
+            requirements.push(match representation {
+                Representation::Quaternion => {
+                    let left = Value::number(PI).minus(limits.high.clone());
+                    let never = Condition::new(left, Bound::NotBeNegative, at, NEVER_REACHED);
+                    vec![LARGEST_ANGLE.condition(limits.width(), at), never]
+                }
+                Representation::Numbers | Representation::Angles => {
+                    vec![WIDTH.condition(limits.width(), at)]
+                }
+            });
         }
     }
     requirements

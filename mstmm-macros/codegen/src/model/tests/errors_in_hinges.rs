@@ -307,6 +307,16 @@ fn passive_numbers_give_no_energy() {
         "limits = -1; limit_stiffness = 1;",
         &[("-1", "the largest angle must be positive")],
     );
+    let never = "this angle is never larger than 180 deg: a larger limit has no effect; a number without a unit is in rad";
+    for (kind, field) in [("ball", "limits"), ("floating", "turning_limits")] {
+        let limits = |angle: &str| {
+            let stiffness = field.replace("limits", "limit_stiffness");
+            format!("{field} = {angle}; {stiffness} = 1;")
+        };
+        expect_hinge(kind, &limits("180 deg"), &[]);
+        expect_hinge(kind, &limits("181 deg"), &[("181 deg", never)]);
+        expect_hinge(kind, &limits("1 rev"), &[("1 rev", never)]);
+    }
     expect_hinge(
         "pin",
         "damping = 1 - ratio;",

@@ -69,7 +69,7 @@ fn an_angle_of_more_than_a_revolution_has_a_unit() {
     expect_hinge("pin", "limits = [-90, 100]; limit_stiffness = 1;", &["90", "100"]);
     expect_hinge(
         "ball",
-        "start = rpy(1, 20, 30); limits = 45; limit_stiffness = 1;",
+        "start = rpy(1, 20, 30); rest = rpy(1, 2, 45); stiffness = 1;",
         &["20", "30", "45"],
     );
     expect_hinge("universal", "start = [10, 1];", &["10"]);
