@@ -48,8 +48,13 @@ pub(super) fn route_item(
         && let Some(axis) = name.as_ref().filter(|name| AXES.iter().any(|axis| name == axis))
         && let Some(name_after) = self::name(input)
     {
-        diagnostics.error(axis.span(), format!("write `{word}({axis}) {name_after}`"));
-        return Ok(RouteItemSyntax::Unread { name: Some(name_after) });
+        if begins_hinge(&name_after) {
+            diagnostics.error(axis.span(), format!("write `{word}({axis}) {name_after}`"));
+            return Ok(RouteItemSyntax::Unread { name: Some(name_after) });
+        }
+        // A capital letter begins a type of body: the arrow is missing.
+        diagnostics.error(axis.span(), format!("write `{word}({axis}) name -> {name_after}`"));
+        return Ok(RouteItemSyntax::Unread { name: self::name(input).or(Some(name_after)) });
     }
     let arguments_text = inside(input);
     let at = input.next_span();

@@ -194,6 +194,10 @@ fn the_name_comes_last() {
 
 #[test]
 fn arguments_of_a_kind_follow_it_in_parentheses() {
+    expect_rods(
+        "ground -> pin z Rod rod; load push { on = rod; force = input; }",
+        &[("z", "write `pin(z) name -> Rod`")],
+    );
     let message = "write `pin(z) j`";
     let rest = "-> Rod rod; hinge j { start = 1; }";
     expect_rods(&format!("ground -> pin j(z) {rest}"), &[("(z)", message)]);
