@@ -134,28 +134,32 @@ pub fn error(cx: &EmitContext) -> Vec<String> {
 
 /// Returns the docs of products of quaternions whose lengths are not one.
 pub fn products(cx: &EmitContext) -> Vec<String> {
-    if checked(cx).is_empty() {
-        return Vec::new();
-    }
-    let lines = [
-        "",
-        " The quaternions of balls that follow each other are multiplied. If a length n is not one, poses and",
-        " Jacobians therefore differ from those of a workspace, by terms of the order of n² − 1.",
-    ];
-    lines.map(str::to_owned).into()
+    of_quaternions(
+        cx,
+        &[
+            "",
+            " The quaternions of balls that follow each other are multiplied. If a length n is not one, poses and",
+            " Jacobians therefore differ from those of a workspace, by terms of the order of n² − 1.",
+        ],
+    )
 }
 
 /// Returns the docs of quaternions whose length is not one, for functions that do not check them.
 pub fn near_one(cx: &EmitContext) -> Vec<String> {
-    if checked(cx).is_empty() {
-        return Vec::new();
-    }
-    let lines = [
-        "",
-        " Quaternions may have any length near one, as in the stages of an integrator. They are used",
-        " unchanged and without checks: for a quaternion of length n with the rotation matrix R, the",
-        " matrix (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1. Jacobians and",
-        " momenta do so with the product of the quaternions of balls that follow each other.",
-    ];
-    lines.map(str::to_owned).into()
+    of_quaternions(
+        cx,
+        &[
+            "",
+            " Quaternions may have any length near one, as in the stages of an integrator. They are used",
+            " unchanged and without checks: for a quaternion of length n with the rotation matrix R, the",
+            " matrix (1 − n²) 1 + n² R is used, which is R up to terms of the order of n² − 1. Jacobians and",
+            " momenta do so with the product of the quaternions of balls that follow each other.",
+        ],
+    )
+}
+
+/// Returns docs of a chain that has quaternions.
+fn of_quaternions(cx: &EmitContext, lines: &[&str]) -> Vec<String> {
+    let has_some = !checked(cx).is_empty();
+    lines.iter().filter(|_| has_some).map(|&line| line.to_owned()).collect()
 }
