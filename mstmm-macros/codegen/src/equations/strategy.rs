@@ -77,8 +77,8 @@ pub fn writes_matrices_out(has_repeats: bool, rates: usize) -> bool {
 
 /// Whether a product with a matrix leaves out the entries that vanish in every state, for their number and that of all entries.
 ///
-/// Loops of known length over full columns are faster as long as there are few of these entries. The products of HyQ leave out
-/// half of the entries, and A and B then take 1620 instead of 1725 ns (Zen 4).
+/// Loops of known length over full columns are faster as long as there are few of these entries. On Zen 4, A and B of HyQ without
+/// half of the entries take 1620 instead of 1725 ns, and those of three balls would take 519 instead of 366.
 pub fn leaves_out_zeros(vanishing: usize, entries: usize) -> bool {
     4 * vanishing > entries
 }
