@@ -188,7 +188,7 @@ fn end_block(input: &mut Cursor) -> Option<(Span, &'static str)> {
 fn route_setting(input: &mut Cursor) -> Option<(Span, &'static str)> {
     let mut ahead = *input;
     let at = input.next_span();
-    ahead.ident().filter(|_| !ahead.peek_pair('=', '>'))?;
+    ahead.ident().filter(|word| word != "moving" && !ahead.peek_pair('=', '>'))?;
     ahead.punct('=').filter(|_| lookahead::is_clearly_route(&ahead))?;
     *input = ahead;
     Some((at, "the route has no name: write only `ground -> …`"))
@@ -214,7 +214,8 @@ fn misspelt_parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool
 /// Reads the name of a setting: its keyword, or any word that `=` follows.
 fn setting(input: &mut Cursor) -> Option<Ident> {
     let mut ahead = *input;
-    let name = ahead.ident()?;
+    // An end with a wrong sign is read with its route.
+    let name = ahead.ident().filter(|name| name != "moving")?;
     let is_field = ahead.peek_punct('=') && !ahead.peek_pair('=', '>');
     if !is_field && SETTINGS.iter().all(|setting| name != setting) {
         return None;

@@ -98,6 +98,18 @@ pub(super) fn is_clearly_route(input: &Cursor) -> bool {
     first == "ground" || first == "repeat" || has_arrow(ahead)
 }
 
+/// Returns whether an end of a route is next that no arrow follows: the last item of the route.
+pub(super) fn is_last_end(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let is_end = ahead.word("ground").or_else(|| ahead.word("moving")).is_some();
+    let is_block = {
+        let mut after_name = ahead;
+        after_name.ident();
+        ahead.peek_group(Delimiter::Brace) || after_name.peek_group(Delimiter::Brace)
+    };
+    is_end && !is_block && !has_arrow(ahead)
+}
+
 /// Returns whether the rest of a statement has an arrow.
 pub(super) fn has_arrow(mut rest: Cursor) -> bool {
     let pairs = [('-', '>'), ('=', '>'), ('<', '-')];

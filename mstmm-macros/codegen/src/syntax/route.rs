@@ -39,6 +39,10 @@ pub(super) fn route(input: &mut Cursor, diagnostics: &mut Diagnostics) -> RouteS
         if input.punct(';').is_some() {
             return route;
         }
+        if lookahead::is_last_end(input) {
+            diagnostics.push(input.unexpected("`->`"));
+            continue;
+        }
         if lookahead::begins_item(input) || input.is_empty() {
             diagnostics.error(input.last().first, "expected `;` after this");
             return route;

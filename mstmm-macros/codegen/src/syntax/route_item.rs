@@ -28,6 +28,7 @@ pub(super) fn route_item(
         });
     }
     if let Some(at) = input.word("moving") {
+        sign_before_name(input, diagnostics);
         let place = |word: &Ident| word == "at" || word == "turned";
         let name =
             if input.peek_ident().is_some_and(|word| place(&word)) { None } else { name(input) };
@@ -63,6 +64,18 @@ pub(super) fn route_item(
         arguments = Some(after_name);
     }
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
+}
+
+/// Reports `=` or `:` before the name of a moving end.
+fn sign_before_name(input: &mut Cursor, diagnostics: &mut Diagnostics) {
+    let mut ahead = *input;
+    let sign = if ahead.peek_pair('=', '>') { None } else { ahead.punct('=') };
+    if let Some(at) = sign.or_else(|| ahead.punct(':'))
+        && let Some(name) = ahead.peek_ident()
+    {
+        diagnostics.error(at, format!("write `moving {name}`"));
+        *input = ahead;
+    }
 }
 
 /// Reports a position of the ground without `at`; returns whether there is one.

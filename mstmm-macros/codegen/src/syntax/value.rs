@@ -64,8 +64,12 @@ pub(super) fn position(input: &mut Cursor) -> Result<ValueSyntax> {
 fn vector(input: &mut Cursor) -> Result<ListSyntax> {
     let (inside, extent) =
         input.group(Delimiter::Bracket).ok_or_else(|| input.unexpected("a vector `[x, y, z]`"))?;
-    if inside.peek_group(Delimiter::Bracket) {
-        return Err(Error::new(extent.first, format!("write a matrix as `{MATRIX}`")));
+    if let Some((row, _)) = inside.clone().group(Delimiter::Bracket) {
+        let message = match number::list(row) {
+            Ok(row) if row.len() < 3 => "expected numbers in these brackets, found a list".into(),
+            _ => format!("write a matrix as `{MATRIX}`"),
+        };
+        return Err(Error::new(extent.first, message));
     }
     let entries = number::list(inside)?;
     let list = ListSyntax { entries, unit: unit::optional(input)?, extent };
@@ -160,12 +164,18 @@ fn form(input: &mut Cursor) -> Result<FormSyntax> {
     }
     let (inside, extent) =
         input.group(Delimiter::Parenthesis).ok_or_else(|| input.unexpected("`(`"))?;
-    let entries = if word == "matrix" { rows(inside, extent)? } else { number::list(inside)? };
+    let entries = if word == "matrix" { rows(inside, extent)? } else { numbers(&word, inside)? };
     let list = ListSyntax { entries, unit: unit::optional(input)?, extent };
     if number::is_operator_next(input) {
         return Err(Error::new(input.next_span(), number::INSIDE));
     }
     Ok(FormSyntax { word, list, about: about(input)? })
+}
+
+/// The numbers of a form. Of an unknown form only the word is reported, by its user.
+fn numbers(word: &Ident, inside: Cursor) -> Result<Vec<ExprSyntax>> {
+    let is_known = number::FORMS.iter().any(|form| word == form);
+    number::list(inside).or_else(|error| if is_known { Err(error) } else { Ok(Vec::new()) })
 }
 
 /// The entries of a matrix, row by row.

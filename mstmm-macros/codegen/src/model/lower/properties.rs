@@ -1,5 +1,7 @@
 //! Properties of hinges and bodies from the blocks after the route.
 
+use proc_macro2::Ident;
+
 use super::body;
 use super::context::Context;
 use super::fields::{FieldOwner, Fields};
@@ -32,7 +34,9 @@ pub(super) fn properties<'a>(
     blocks.sort_by_key(|block| std::cmp::Reverse(written.scopes[block.scope].depth()));
     for written_block in blocks {
         let block = &*written_block.syntax;
-        refuse_points(block, context);
+        if block.word != BlockKeyword::Body {
+            refuse_points(block, context);
+        }
         if !matches!(block.word, BlockKeyword::Body | BlockKeyword::Hinge) {
             continue;
         }
@@ -86,6 +90,9 @@ fn assign<'a>(
     let mut refused = Vec::new();
     for path in &block.names {
         let Some(index) = target(written_block, path, resolved, context) else { continue };
+        if block.word == BlockKeyword::Body {
+            refuse_points(block, context);
+        }
         let (known, owner) = match &resolved.items[index] {
             RouteItem::Hinge { kind, spec, .. } => (hinge::fields(spec), kind.name.to_owned()),
             RouteItem::Body { .. } => {
@@ -137,14 +144,14 @@ fn target(
         (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
             context.refuse(at, format!("`{path}` is a body: write `body {path} {{ … }}`"))
         }
-        (BlockKeyword::Body, RouteItem::Body { .. }) if index > 0 || !floats(written, items) => {
+        (BlockKeyword::Body, RouteItem::Body { word, .. })
+            if index > 0 || !floats(written, items) =>
+        {
             // If the route has an error, this rule may be wrong.
             if !written.routes_are_complete {
                 return None;
             }
-            let message =
-                format!("`{path}` has no start: only the first body of a floating chain has one");
-            context.refuse(at, message)
+            context.refuse(at, no_block_of_body(path, word, block))
         }
         (BlockKeyword::Body, RouteItem::Body { name, .. }) if written_block.scope > 0 => {
             let message = format!(
@@ -154,6 +161,17 @@ fn target(
         }
         _ => Some(index),
     }
+}
+
+/// The message for a block after the route of a body whose start is that of its hinge.
+fn no_block_of_body(path: &PathSyntax, body_type: &Ident, block: &BlockSyntax) -> String {
+    if body::describes_type(block) {
+        return format!(
+            "`{path}` is a body of type `{body_type}`: write what describes the type in \
+             `body {body_type} {{ … }}`, before the route"
+        );
+    }
+    format!("`{path}` has no start: only the first body of a floating chain has one")
 }
 
 fn unknown_name(

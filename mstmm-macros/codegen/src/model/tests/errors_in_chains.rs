@@ -1,5 +1,6 @@
 //! Errors in dimensions, ends, loads and repeated parts.
 
+use super::each_error_once::expect_rods;
 use super::{edited, expect, expect_all};
 
 const PLANE: &str = "
@@ -199,6 +200,12 @@ fn loads_act_at_points_of_bodies() {
         "hinge wrist { point tip = [1, 0, 0];",
         &[("tip", "write points in the block of a body type, before the route")],
     );
+    let after = |fields: &str| format!("ground -> pin(z) j -> Rod rod; body {fields}");
+    let before = "write the block of a body type before the route";
+    expect_rods(&after("Bar { mass = 1; point tip = [1, 0, 0]; }"), &[("Bar", before)]);
+    let of_type = "`rod` is a body of type `Rod`: …";
+    expect_rods(&after("rod { point tip = [1, 0, 0]; }"), &[("rod", of_type)]);
+    expect_rods(&after("rod { mass = 1; }"), &[("rod", of_type)]);
 }
 
 #[test]

@@ -135,6 +135,11 @@ fn fields_fit_their_group() {
         &[("3", "expected two limits `[lowest, highest]`, found a number")],
     );
     expect_hinge(
+        "planar",
+        "limits = [[0, 1], [1, 2]]; limit_stiffness = 1;",
+        &[("[", "expected numbers in these brackets, found a list")],
+    );
+    expect_hinge(
         "ball",
         "limits = [1, 2]; limit_stiffness = 1;",
         &[("[1, 2]", "expected an angle as a single number, found a vector")],

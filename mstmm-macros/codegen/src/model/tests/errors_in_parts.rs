@@ -78,6 +78,8 @@ fn orientations_are_well_formed() {
     expect(output, &turned("quaternion((1 m)/(2 m), 0, 0, 1)"), &[]);
     let found = "expected `rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`, found `[`";
     expect(output, &turned("[0, 0, 90] deg"), &[("[", found)]);
+    let unknown = format!("{ways}, found `axis_angle`");
+    expect(output, &turned("axis_angle([0, 0, 1], 90 deg)"), &[("axis_angle", &unknown)]);
     expect(output, &turned("90 deg"), &[("90 deg", &format!("{ways}, found a number"))]);
     expect(
         "start_rate = [0, 0.1, 0] rad/s",

@@ -263,6 +263,22 @@ fn moving_ends_are_on_routes() {
         "a moving end begins or ends a route: write `moving name -> …` or `… -> moving name`";
     expect_rods("moving deck; moving deck -> pin j -> Rod rod;", &[("moving", message)]);
     expect_rods("moving; moving deck -> pin j -> Rod rod;", &[("moving", message)]);
+    expect_rods("moving = deck -> pin j -> Rod rod;", &[("=", "write `moving deck`")]);
+    let last = "ground -> ball a -> Rod rod -> ball b -> Rod rod2 -> ball c -> moving: hand;";
+    expect_rods(last, &[(":", "write `moving hand`")]);
+}
+
+#[test]
+fn the_last_end_follows_an_arrow() {
+    let route = "ground -> pin a -> Rod rod -> pin b -> Rod rod2 -> pin k";
+    expect_rods(
+        &format!("{route} ground at [1, 0, 0];"),
+        &[("ground", "expected `->`, found `ground`")],
+    );
+    expect_rods(&format!("{route} moving hand;"), &[("moving", "expected `->`, found `moving`")]);
+    // This end begins the next route.
+    let next = "ground at [1, 0, 0] -> pin c -> Rod rod3;";
+    expect_rods(&format!("{route} {next}"), &[("k", "expected `;` after this")]);
 }
 
 #[test]
