@@ -94,6 +94,44 @@ fn parameters_leave_moments_and_limits_in_order() {
 }
 
 mstmm_chain! {
+    chain Wrist {
+        param widest = 1 rad;
+        param tilt = -1;
+        body Rod {
+            mass = 1 kg; com = [0, 0, -0.5] m; output = [0, 0, -1] m; inertia = diag(0.1, 0.1, 0.05) kg*m^2 about com;
+        }
+        ground -> universal([1, 1, 0], [1, tilt, 0]) cross -> Rod arm -> ball joint -> Rod hand;
+        hinge joint { limits = widest; limit_stiffness = 100 N*m/rad; }
+    }
+}
+
+/// Refuses parallel axes and limits that no angle reaches.
+macro_rules! wrists_keep_their_mobility {
+    ($T:ident, $test:ident) => {
+        #[test]
+        fn $test() {
+            use std::$T::consts::PI;
+            let mut wrist = Wrist::<$T>::new();
+            let reason = "must not leave the limits of hinge `joint` above 180 deg";
+            let name = "widest";
+            assert_eq!(wrist.set_widest(3.2), Err(Error::InvalidParameter { name, reason }));
+            assert_eq!(wrist.set_widest(PI), Ok(()));
+            let reason = "must not leave the axes of hinge `cross` parallel";
+            for tilt in [1.0, 1.0 + 1e-6] {
+                let found = wrist.set_tilt(tilt);
+                assert_eq!(found, Err(Error::InvalidParameter { name: "tilt", reason }));
+            }
+            for tilt in [1.0 + 1e-5, -1.0, 0.0] {
+                assert_eq!(wrist.set_tilt(tilt), Ok(()));
+            }
+        }
+    };
+}
+
+wrists_keep_their_mobility!(f64, wrists_keep_their_mobility);
+wrists_keep_their_mobility!(f32, wrists_keep_their_mobility_in_single_precision);
+
+mstmm_chain! {
     plane chain Links {
         param knot[2] = 0 kg;
         param sleeve[3] = 0 kg;

@@ -10,6 +10,9 @@ const LARGEST_SQUARE: f64 = 1e30;
 /// The bounds on the length, for messages.
 pub(super) const BOUNDS: &str = "between 1e-15 and 1e15";
 
+/// Axes are parallel if the sine of the angle between them is less than this.
+const PARALLEL: f64 = 1e-6;
+
 /// Returns the squared length.
 pub(super) fn squared(components: &[Value]) -> Value {
     components
@@ -21,6 +24,19 @@ pub(super) fn squared(components: &[Value]) -> Value {
 pub(super) fn margin(square: Value) -> Value {
     let inverse = Value::number(1.0).over(square.clone());
     Value::number(LARGEST_SQUARE).minus(square).minus(inverse)
+}
+
+/// Returns a value that is positive unless the two axes are parallel.
+pub(super) fn sine_margin([a, b]: &[[Value; 3]; 2]) -> Value {
+    let products = a.iter().zip(b).map(|(a, b)| a.clone().times(b.clone()));
+    let product = products.reduce(Value::plus).unwrap_or_else(|| Value::number(0.0));
+    // The part of b perpendicular to a; its length is |b| times the sine of the angle between them.
+    let along = product.over(squared(a));
+    let [x, y, z] = [0, 1, 2].map(|index| {
+        let along_a = a[index].clone().times(along.clone());
+        b[index].clone().minus(along_a)
+    });
+    squared(&[x, y, z]).over(squared(b)).minus(Value::number(PARALLEL * PARALLEL))
 }
 
 /// Returns the requirement that the length is within the bounds. `of` is a name such as `an axis`.

@@ -1,10 +1,15 @@
 //! Rules on the values of bodies, springs and hinges. The compiler checks known values, `rustc`
 //! those that depend on Rust constants, and setters those that depend on parameters.
 
+use std::f64::consts::PI;
+
 use super::condition::{Bound, Condition};
 use super::length::{self, BOUNDS};
 use super::lower::FieldNames;
-use super::{Body, Chain, Hinge, Limits, Passive, RepeatId, Spring, Value};
+use super::{
+    Body, Chain, DofGroup, Hinge, HingeKind, Limits, Passive, RepeatId, Representation, Spring,
+    Value,
+};
 use crate::diag::SpanRange;
 
 /// A rule on a value.
@@ -122,9 +127,14 @@ impl ValueRule {
             Bound::BePositive => "positive",
             Bound::NotBeNegative => "not negative",
         };
-        let reason = format!("must leave the {called} of {owner} {adjective}");
-        let check = || Check { value: value.clone(), must: *must, reason, part: None };
-        value.known().is_none().then(check)
+        Check::new(value.clone(), *must, format!("must leave the {called} of {owner} {adjective}"))
+    }
+}
+
+impl Check {
+    /// Returns the check of a value; `None` if the compiler has checked the value.
+    fn new(value: Value, must: Bound, reason: String) -> Option<Self> {
+        value.known().is_none().then_some(Check { value, must, reason, part: None })
     }
 }
 
@@ -132,6 +142,11 @@ impl Limits {
     /// Returns the distance between the limits.
     pub(super) fn width(&self) -> Value {
         self.high.clone().minus(self.low.clone())
+    }
+
+    /// Returns the distance of the largest angle of a quaternion to 180°, which no angle exceeds.
+    pub(super) fn to_half_turn(&self) -> Value {
+        Value::number(PI).minus(self.high.clone())
     }
 }
 
@@ -176,9 +191,7 @@ impl Chain {
 /// checked it.
 fn of_length(square: Value, of: &str) -> Option<Check> {
     let reason = format!("must leave the length of {of} {BOUNDS}");
-    let check =
-        |value| Check { value: length::margin(value), must: Bound::BePositive, reason, part: None };
-    square.known().is_none().then(|| check(square))
+    Check::new(length::margin(square), Bound::BePositive, reason)
 }
 
 /// Returns the checks of a body. The triangle inequality of the moments is not checked: parameters
@@ -194,12 +207,17 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
     let lengths = hinge.kind.axes().iter().map(|axis| length::squared(axis));
     let mut checks: Vec<Check> =
         lengths.filter_map(|square| of_length(square, &format!("the axis of {owner}"))).collect();
-    for passive in &hinge.passive {
+    if let HingeKind::Universal { axes } = &hinge.kind {
+        let reason = format!("must not leave the axes of {owner} parallel");
+        checks.extend(Check::new(length::sine_margin(axes), Bound::BePositive, reason));
+    }
+    for (strain, passive) in hinge.passive.iter().enumerate() {
         let numbers = PASSIVE
             .iter()
             .filter_map(|PassiveRule { rule, number, .. }| rule.check(number(passive)?, &owner));
-        let width = passive.limits.as_ref().map(Limits::width);
-        for check in numbers.chain(width.and_then(|width| WIDTH.check(&width, &owner))) {
+        let limits = passive.limits.iter();
+        let limits = limits.flat_map(|limits| of_limits(limits, hinge, strain, &owner));
+        for check in numbers.chain(limits) {
             // The components of a ball's spring are one value.
             let same =
                 |other: &Check| (&other.value, &other.reason) == (&check.value, &check.reason);
@@ -209,6 +227,17 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
         }
     }
     checks
+}
+
+fn of_limits(limits: &Limits, hinge: &Hinge, strain: usize, owner: &str) -> Vec<Check> {
+    let is_of_quaternion = |group: &DofGroup| {
+        group.representation == Representation::Quaternion && group.rates.contains(&strain)
+    };
+    let half_turn = hinge.kind.spec().groups.iter().any(is_of_quaternion).then(|| {
+        let reason = format!("must not leave the limits of {owner} above 180 deg");
+        Check::new(limits.to_half_turn(), Bound::NotBeNegative, reason)
+    });
+    WIDTH.check(&limits.width(), owner).into_iter().chain(half_turn.flatten()).collect()
 }
 
 fn of_spring(spring: &Spring) -> Vec<Check> {

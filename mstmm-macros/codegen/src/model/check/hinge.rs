@@ -8,9 +8,6 @@ use crate::model::{Drive, HingeKind, Representation, Value};
 use crate::syntax::{ArgumentsSyntax, FieldSyntax, OrientationSyntax, SpanRange, ValueSyntax};
 use std::f64::consts::FRAC_PI_2;
 
-/// Two axes whose directions differ by less than this, in rad, are one.
-const PARALLEL: f64 = 1e-6;
-
 /// Returns the readable hinges, with their arguments.
 fn hinges<'d>(
     draft: &'d Draft,
@@ -50,9 +47,7 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
     let not_parallel = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
         let HingeKind::Universal { axes: [a, b] } = &hinge.value else { return None };
         let at = argument(hinge, arguments, 1);
-        // |a × b| is |a| |b| times the sine of the angle between them.
-        let least = Value::number(PARALLEL * PARALLEL).times(square(a)).times(square(b));
-        let sine = square(&cross(&scaled(a), &scaled(b))).minus(least);
+        let sine = length::sine_margin(&[scaled(a), scaled(b)]);
         let message = "the two axes of a universal hinge must not be parallel";
         Some(vec![
             Condition::silent(square(a), Bound::BePositive, at),
@@ -66,13 +61,6 @@ pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement>
 /// Returns the squared length of an axis, which is scaled if it is known.
 fn square(axis: &[Value; 3]) -> Value {
     length::squared(&scaled(axis))
-}
-
-fn cross([a, b, c]: &[Value; 3], [x, y, z]: &[Value; 3]) -> [Value; 3] {
-    let minor = |a: &Value, d: &Value, b: &Value, c: &Value| {
-        a.clone().times(d.clone()).minus(b.clone().times(c.clone()))
-    };
-    [minor(b, z, c, y), minor(c, x, a, z), minor(a, y, b, x)]
 }
 
 /// Requires pitch angles of elastic hinges below a right angle, where the angles are singular.

@@ -4,9 +4,8 @@ use crate::diag::Diagnostics;
 use crate::model::condition::{Bound, Condition, Requirement};
 use crate::model::lower::{Draft, FieldNames, Fields, RouteItem, groups, listed};
 use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
-use crate::model::{DofGroup, Passive, Representation, Value};
+use crate::model::{DofGroup, Passive, Representation};
 use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
-use std::f64::consts::PI;
 
 /// Fields that need another field.
 const NEEDED: &[(FieldName, FieldName)] = &[
@@ -162,7 +161,7 @@ pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
             let at = syntax.extent();
             requirements.push(match representation {
                 Representation::Quaternion => {
-                    let left = Value::number(PI).minus(limits.high.clone());
+                    let left = limits.to_half_turn();
                     let never = Condition::new(left, Bound::NotBeNegative, at, NEVER_REACHED);
                     vec![LARGEST_ANGLE.condition(limits.width(), at), never]
                 }

@@ -82,6 +82,7 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
         asked,
         [
             "once: must leave the length of the axis of hinge `edge` between 1e-15 and 1e15",
+            "once: must not leave the axes of hinge `edge` parallel",
             "once: must leave the length of a quaternion between 1e-15 and 1e15",
             "0: must leave the length of the axis of hinge `fold` between 1e-15 and 1e15",
         ]
