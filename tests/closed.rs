@@ -312,3 +312,48 @@ fn single_precision_closes_too() {
     single.solve_into(&same, &single.no_inputs(), &mut at).expect("a regular loop");
     assert!((at.d().input().position() - Vector2::new(0.9, 0.0)).norm() < 1e-6);
 }
+
+mstmm_chain! {
+    /// A crank that can turn fully. All links are in line at the start, where Newton's method asks for many turns.
+    plane chain InLine {
+        gravity = [0, -9.8] m/s^2;
+        body Crank { mass = 1 kg; com = [0.05, 0] m; inertia = 1e-3 kg*m^2 about com; output = [0.1, 0] m; }
+        body Coupler { mass = 0.5 kg; com = [0.15, 0] m; inertia = 4e-3 kg*m^2 about com; output = [0.3, 0] m; }
+        body Rocker { mass = 0.5 kg; com = [0.1, 0] m; inertia = 4e-3 kg*m^2 about com; output = [0.2, 0] m; }
+        ground -> pin a -> Crank crank -> pin b -> Coupler coupler -> pin c -> Rocker rocker
+            -> pin d -> ground at [0.25, 0] m;
+    }
+}
+
+/// From anywhere within a rad of the straight pose the chain is closed, and no pin makes a whole turn.
+#[test]
+fn assembly_does_not_wind_hinges_up() {
+    let chain = InLine::<f64>::new();
+    for seed in 0..300 {
+        let mut random = Random::new(seed);
+        let mut state = chain.initial_state();
+        state.q.iter_mut().for_each(|q| *q = random.between(-1.0, 1.0));
+        let start = state.q;
+        assert_eq!(chain.assemble(&mut state, &chain.no_inputs()), Ok(()), "seed {seed}");
+        let most = (state.q - start).amax();
+        assert!(most < 2.0 * PI, "seed {seed}: {most}");
+        let mut at = chain.workspace();
+        chain.solve_into(&state, &chain.no_inputs(), &mut at).expect("an assembled state");
+        let gap = (at.d().input().position() - Vector2::new(0.25, 0.0)).norm();
+        assert!(gap < 1e-13, "seed {seed}: {gap:e}");
+    }
+}
+
+/// A state that is far from closed is refused by a step, which would correct it by jumps.
+#[test]
+fn steps_refuse_states_that_are_far_from_assembled() {
+    let chain = InLine::<f64>::new();
+    let mut state = chain.initial_state();
+    state.a_mut().set_angle(0.1);
+    let before = state.clone();
+    let result = Rk4::new(1e-3).step(&chain, &mut state, |_, _| chain.no_inputs());
+    assert_eq!((result, &state), (Err(Error::NotAssembled), &before));
+    let mut control = Dopri5::new(1e-8, 1e-8);
+    let result = control.advance_to(&chain, &mut state, 0.1, |_, _| chain.no_inputs());
+    assert_eq!(result, Err(Error::NotAssembled));
+}

@@ -146,8 +146,9 @@ pub trait Chain {
     /// inputs for the constraints. Open chains do nothing.
     ///
     /// # Errors
-    /// The error of `inputs`, unchanged; `state` is then unchanged. [`Error::ClosureRank`] if directions that count as
-    /// redundant are independent in this pose; `state` is then unspecified.
+    /// The error of `inputs`, unchanged; `state` is then unchanged. [`Error::NotAssembled`] if a hinge other than a screw
+    /// would rotate by more than half a rad, and [`Error::ClosureRank`] if directions that count as redundant are
+    /// independent in this pose; `state` is then unspecified.
     #[doc(alias("close", "loop constraints", "constraint stabilization", "drift"))]
     fn project<E: From<Error>>(
         &self,
@@ -212,8 +213,8 @@ pub trait GeneratedChain: Chain {
     ///
     /// Prescribed motions are those of `inputs`. Open chains do nothing. Coordinates are found by Newton's method. Of
     /// all small motions that satisfy the linearised constraints, each correction is the one with the least kinetic
-    /// energy. Of all changes of the rates that satisfy the constraints of the velocities, the one with the least
-    /// kinetic energy is taken.
+    /// energy. No hinge but a screw rotates by more than half a rad in one correction. Of all changes of the rates that
+    /// satisfy the constraints of the velocities, the one with the least kinetic energy is taken.
     ///
     /// # Errors
     /// [`Error::NotAssembled`] if the corrections do not converge, [`Error::ClosureRank`] if the loop constraints have

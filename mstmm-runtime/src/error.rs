@@ -46,7 +46,8 @@ pub enum Error {
     StepTooSmall,
     /// The time to interpolate at is outside the last step, or there is no step yet.
     OutsideStep,
-    /// Newton's method finds no coordinates near the given ones that satisfy the loop constraints.
+    /// Newton's method finds no coordinates near the given ones that satisfy the loop constraints; in a step, one
+    /// correction would rotate a hinge by more than half a rad.
     NotAssembled,
     /// The loop constraints have a higher rank in this pose than around the start of the description.
     ///
@@ -83,7 +84,8 @@ impl fmt::Display for Error {
             ),
             Error::OutsideStep => f.write_str("the time is outside the last step"),
             Error::NotAssembled => f.write_str(
-                "the chain cannot be closed from this state: start closer to a pose in which it is closed",
+                "the chain is not closed and cannot be closed from this state: call `assemble` before the first step, from a \
+                 start closer to a pose in which the chain is closed, with its links bent",
             ),
             Error::SingularMatrix => {
                 f.write_str("a matrix is singular, or not positive definite, up to rounding")

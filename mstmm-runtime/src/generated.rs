@@ -11,6 +11,7 @@ mod linkage;
 mod not_asked;
 mod packs;
 mod regressor;
+mod rotations;
 
 /// The values that a loop leaves for later loops, one entry per repetition. Its memory is not initialised first.
 pub use arrayvec::ArrayVec as LoopStore;
@@ -34,6 +35,7 @@ pub use linkage::{assemble, check_rank, loop_closure, rank_steps};
 pub use not_asked::{AsksJacobianOfBody, NotAsked, Unanswered};
 pub use packs::{lane, pack};
 pub use regressor::{regressor_of_bodies, regressor_of_elements};
+pub use rotations::{RotationCoordinates, check_rotations, limit_rotations};
 
 #[cfg(feature = "approx")]
 pub use approx;

@@ -3,7 +3,9 @@
 mod common;
 
 use common::State;
-use mstmm_runtime::generated::{self, check_rank, rank_steps};
+use mstmm_runtime::generated::{
+    self, RotationCoordinates, check_rank, check_rotations, limit_rotations, rank_steps,
+};
 use mstmm_runtime::{ChainState, Error, Scalar};
 
 type Start<T> = State<T, 1, 1>;
@@ -111,6 +113,33 @@ fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
     let refused =
         generated::assemble(&mut state, "hook", |state| [toward_the_root_of_two(state), 0.1]);
     assert_eq!((refused, state), (error, start(1.0)));
+}
+
+/// The whole change is shortened until no rotation exceeds half a rad; a quaternion changes by half the angle.
+#[test]
+fn rotations_of_a_correction_are_limited() {
+    let angles =
+        RotationCoordinates { first: 1, entries: 1, stride: 2, count: 2, quaternion: false };
+    let quaternion =
+        RotationCoordinates { first: 4, entries: 4, stride: 4, count: 1, quaternion: true };
+    let (before, table) = ([0.0; 8], [angles, quaternion]);
+    let limited = |after: [f64; 8]| {
+        let mut found = after;
+        let checked = check_rotations(&before, &after, &table);
+        let changed = limit_rotations(&before, &mut found, &table);
+        assert_eq!(changed, checked == Err(Error::NotAssembled));
+        found
+    };
+    // Translations are not limited by themselves.
+    let small = [300.0, 0.5, -70.0, -0.5, 0.25, 0.0, -0.25, 0.0];
+    assert_eq!(limited(small), small);
+    let large = [6.0, 1.0, 8.0, -4.0, 0.5, 0.0, 0.0, 0.0];
+    assert_eq!(limited(large), large.map(|change| change / 8.0));
+    let turned = [6.0, 0.1, 8.0, 0.0, 0.5, 0.0, 0.0, 0.0];
+    assert_eq!(limited(turned), turned.map(|change| change / 2.0));
+    let mut unknown = before;
+    unknown[1] = f64::NAN;
+    assert!(!limit_rotations(&before, &mut unknown, &table));
 }
 
 /// The pivots of a closure that is special at its start: rank one there, two elsewhere.

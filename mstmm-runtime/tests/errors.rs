@@ -41,7 +41,8 @@ fn errors_have_these_texts() {
     assert_eq!(text(Error::OutsideStep), "the time is outside the last step");
     assert_eq!(
         text(Error::NotAssembled),
-        "the chain cannot be closed from this state: start closer to a pose in which it is closed"
+        "the chain is not closed and cannot be closed from this state: call `assemble` before the first step, from a \
+         start closer to a pose in which the chain is closed, with its links bent"
     );
     assert_eq!(
         text(Error::SingularMatrix),

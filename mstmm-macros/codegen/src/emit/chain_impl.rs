@@ -1,7 +1,7 @@
 //! The implementations of `Chain` and `GeneratedChain`, with the projection of closed chains onto their loop constraints.
 
 use super::EmitContext;
-use super::quaternions;
+use super::{quaternions, rotations};
 use crate::compile::{CompiledFunction, outputs};
 use crate::model::Answer;
 use crate::program::{ArrayRole, Operand, Step};
@@ -109,6 +109,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
     let check =
         has_excess(function).then(|| quote!(#mstmm::generated::check_rank(residual_, #hinge)?;));
     let errors = quaternions::error(cx);
+    let rotations = rotations::table(cx);
     ClosureMethods {
         project: quote! {
             #[inline]
@@ -120,7 +121,13 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                 ) -> ::core::result::Result<#inputs<T>, E>,
             ) -> ::core::result::Result<(), E> {
                 let inputs_ = inputs_(state_)?;
+                let before_ = state_.q;
                 let residual_ = self.correct(state_, &inputs_);
+                #mstmm::generated::check_rotations(
+                    before_.as_slice(),
+                    state_.q.as_slice(),
+                    Self::ROTATIONS_,
+                )?;
                 #check
                 ::core::result::Result::Ok(())
             }
@@ -133,7 +140,8 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                 /// The coordinates are found by Newton's method. Of all small motions that satisfy the
                 /// linearised constraints, each correction is the one with the least kinetic energy,
                 /// ½ δᵀ M δ for a motion δ along the rates and the mass matrix M of bodies and rotors. The
-                /// sum of several corrections is minimal up to the square of its length. With each
+                /// sum of several corrections is minimal up to the square of its length. No hinge but a
+                /// screw rotates by more than half a rad in one correction. With each
                 /// correction the rates change, too: by the smallest change in kinetic energy that
                 /// satisfies the constraints of the velocities, as an impulse in the closing hinge would
                 /// change them.
@@ -151,7 +159,26 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                     inputs_: &#inputs<T>,
                 ) -> ::core::result::Result<(), #mstmm::Error> {
                     #checked
-                    #mstmm::generated::assemble(state_, #hinge, |state_| self.correct(state_, inputs_))
+                    #mstmm::generated::assemble(state_, #hinge, |state_| {
+                        self.correct_nearby_(state_, inputs_)
+                    })
+                }
+
+                /// The coordinates that are rotations.
+                const ROTATIONS_: &'static [#mstmm::generated::RotationCoordinates] = #rotations;
+
+                /// Corrects the state once, with rotations of at most half a rad.
+                fn correct_nearby_(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> [T; 2] {
+                    let before_ = state_.q;
+                    let residual_ = self.correct(state_, inputs_);
+                    if #mstmm::generated::limit_rotations(
+                        before_.as_slice(),
+                        state_.q.as_mut_slice(),
+                        Self::ROTATIONS_,
+                    ) {
+                        #mstmm::Chain::normalize(self, state_);
+                    }
+                    residual_
                 }
             }
         },

@@ -44,7 +44,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             parameters_.#steps = #mstmm::generated::rank_steps(
                 &free_.initial_state(),
                 |state_| #mstmm::Chain::normalize(&free_, state_),
-                |state_| free_.correct(state_, &inputs_),
+                |state_| free_.correct_nearby_(state_, &inputs_),
                 |state_| free_.closure_pivots_(state_),
             );
             let (chain_, _) = Self::derive(#mstmm::generated::Sealed::new(parameters_));

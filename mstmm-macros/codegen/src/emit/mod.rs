@@ -32,6 +32,7 @@ mod point_access;
 mod printer;
 mod procedure;
 mod quaternions;
+mod rotations;
 mod routes;
 mod sealed;
 mod spring;

@@ -3,7 +3,7 @@
 use super::EmitContext;
 use super::arrays::usize_literal;
 use crate::model::{Hinge, HingeId, HingeKind, Input, InputKind};
-use crate::program::{ArrayLayout, Segment};
+use crate::program::{ArrayLayout, Strided};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -72,10 +72,8 @@ fn row(
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
     let hinge = &cx.chain.hinges[index].path;
-    let &Segment { first, count, offset: start, repetitions: times, .. } =
-        layout.segment_of(first_coordinate);
-    let [first, stride, count] =
-        [start + first_coordinate - first, count, times].map(usize_literal);
+    let Strided { first, stride, count } = layout.strided(first_coordinate);
+    let [first, stride, count] = [first, stride, count].map(usize_literal);
     quote! {
         #mstmm::generated::HingeQuaternions {
             hinge: #hinge,

@@ -26,7 +26,24 @@ pub struct Segment {
     pub repetitions: usize,
 }
 
+/// The indices of an entry in the array, one for each repetition of its part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strided {
+    /// The index in the first repetition.
+    pub first: usize,
+    /// The number of entries from one repetition to the next.
+    pub stride: usize,
+    /// The number of repetitions.
+    pub count: usize,
+}
+
 impl ArrayLayout {
+    /// Returns the indices of an entry, which is given by its index in the layout.
+    pub fn strided(&self, entry: usize) -> Strided {
+        let &Segment { first, count, offset, repetitions, .. } = self.segment_of(entry);
+        Strided { first: offset + entry - first, stride: count, count: repetitions }
+    }
+
     /// Returns the layout of items, each with its number of entries, its repeated part, and the number of repetitions of
     /// that part.
     pub fn of(items: impl IntoIterator<Item = (usize, Option<(RepeatId, usize)>)>) -> Self {

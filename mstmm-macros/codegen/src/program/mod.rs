@@ -14,7 +14,7 @@ pub mod text;
 
 pub use cost::{Cost, SectionCost, by_heading};
 pub use finiteness::Finiteness;
-pub use layout::{ArrayLayout, Segment};
+pub use layout::{ArrayLayout, Segment, Strided};
 pub use magnitude::ValueBound;
 pub use names::{ValueId, ValueNames};
 pub use procedure::{
