@@ -295,3 +295,56 @@ fn stiff_springs_do_not_limit_the_linearly_implicit_method() {
     check("elastic", &OnElastic::<f64>::new());
     check("limits", &OnLimits::<f64>::new());
 }
+
+mstmm_chain! {
+    /// Friction stops this wheel within a tenth of a millisecond.
+    plane chain Wheel {
+        body Disc { mass = 0.4 kg; com = [0, 0] m; inertia = 2e-4 kg*m^2 about com; }
+        ground -> pin axle -> Disc disc;
+        hinge axle { torque = input; friction = 2 N*m; friction_speed = 0.05 rad/s; start_rate = 1 rad/s; }
+    }
+
+    /// The same on a ball.
+    chain Globe {
+        body Sphere {
+            mass = 0.4 kg;
+            com = [0, 0, 0] m;
+            inertia = diag(2e-4, 2e-4, 2e-4) kg*m^2 about com;
+        }
+        ground -> ball socket -> Sphere sphere;
+        hinge socket { friction = 2 N*m; friction_speed = 0.05 rad/s; start_rate = [0.6, 0, 0.8] rad/s; }
+    }
+}
+
+/// `v⁺ = v / (1 + h f / (J √(v² + s²)))` with the friction speed s: friction never reverses a motion, however long the
+/// step. Below the friction the wheel creeps at the rate that the docs state.
+#[test]
+fn friction_does_not_reverse_a_motion_in_a_linearly_implicit_step() {
+    fn check<C: GeneratedChain<Scalar = f64>>(chain: &C) {
+        for h in [1e-6, 1e-4, 1e-3, 0.3] {
+            let (mut state, mut euler) = (chain.initial_state(), LinearlyImplicitEuler::new(h));
+            for _ in 0..20 {
+                let before = state.rates().to_vec();
+                let speed: f64 = before.iter().map(|v| v * v).sum();
+                let drag = 1.0 + h * 2.0 / (2e-4 * (speed + 0.05f64.powi(2)).sqrt());
+                euler.step(chain, &mut state, |_, _| chain.no_inputs()).expect("a step");
+                for (after, before) in state.rates().iter().zip(before) {
+                    // A dozen operations.
+                    let off = (after - before / drag).abs();
+                    assert!(off <= 12.0 * f64::EPSILON * before.abs(), "h = {h}: {off:e}");
+                }
+            }
+        }
+    }
+    check(&Wheel::<f64>::new());
+    check(&Globe::<f64>::new());
+
+    let wheel = Wheel::<f64>::new();
+    let (mut state, mut euler) = (wheel.initial_state(), LinearlyImplicitEuler::new(0.3));
+    for _ in 0..100 {
+        let inputs = WheelInputs { axle: 1.0 };
+        euler.step(&wheel, &mut state, |_, _| inputs).expect("a step");
+    }
+    let creep: f64 = 0.05 / 3f64.sqrt();
+    assert!((state.axle().rate() - creep).abs() < 1e-9, "{}", state.axle().rate());
+}

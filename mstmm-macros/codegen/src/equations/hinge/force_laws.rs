@@ -14,7 +14,8 @@ pub struct LinearizedEffort<S> {
     pub effort: S,
     /// `−∂σ/∂s`
     pub stiffness: S,
-    /// `−∂σ/∂ṡ`
+    /// The effort per rate that acts at the end of an implicit step: `−∂σ/∂ṡ`, and `−σ/ṡ` of dry
+    /// friction.
     pub damping: S,
 }
 
@@ -88,6 +89,9 @@ fn spring<S: Scalar>(
 }
 
 /// Returns `−f ṡ / √(ṡ² + v²)`. For a rotation vector, the root contains the norm of its rate.
+///
+/// An implicit step divides by the root at its start: `−f ṡ⁺ / √(ṡ² + v²)` stops a motion without reversing it, however
+/// long the step. The derivative, which is almost zero at high rates, would let the whole effort act for the whole step.
 fn dry_friction<S: Scalar>(
     state: &GroupState<S>,
     friction: &Friction,
@@ -99,14 +103,8 @@ fn dry_friction<S: Scalar>(
         Representation::Quaternion => state.rates,
         Representation::Numbers | Representation::Angles => &state.rates[k..=k],
     };
-    let square = speed * speed;
-    let inverse = (dot(rates, rates) + square).sqrt().recip();
-    let slope = effort * inverse;
-    LinearizedEffort {
-        effort: -(slope * state.rates[k]),
-        stiffness: S::zero(),
-        damping: slope * square * (inverse * inverse),
-    }
+    let slope = effort * (dot(rates, rates) + speed * speed).sqrt().recip();
+    LinearizedEffort { effort: -(slope * state.rates[k]), stiffness: S::zero(), damping: slope }
 }
 
 /// Returns the effort of a spring and a damper that act if a coordinate is beyond its limits, and
