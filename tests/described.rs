@@ -2,6 +2,8 @@
 
 #[path = "described/answers.rs"]
 mod answers;
+#[path = "described/displacements.rs"]
+mod displacements;
 #[path = "described/geometry.rs"]
 mod geometry;
 #[path = "described/inertia.rs"]

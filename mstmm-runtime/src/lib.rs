@@ -108,6 +108,7 @@ extern crate std;
 mod body;
 mod chain;
 pub mod description;
+mod displacement;
 mod dual;
 mod energy;
 mod error;

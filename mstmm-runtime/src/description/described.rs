@@ -8,7 +8,7 @@ use super::{
     BodyInertia, Description, Dimension, HingeAxis, PointResult, Spring, SpringEnd, WrittenInertia,
 };
 use crate::origin::Origin;
-use crate::{Energy, Error, GeneratedChain, SpringResult};
+use crate::{ChainState, Energy, Error, GeneratedChain, SpringResult, displacement};
 
 /// A chain that describes itself at run time. `mstmm_chain!` implements it for all chains.
 ///
@@ -50,6 +50,70 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
             return None;
         }
         Self::copy_inputs_(&mut inputs.clone(), Values::To(values.iter_mut()));
+        Some(())
+    }
+
+    /// Copies the displacement from the coordinates of `from` to those of `to`, with an entry for each rate. Returns `None`
+    /// and copies nothing if the length of the slice is another.
+    ///
+    /// For a `ball` and for the rotation of a `floating` or an `elastic` hinge, the entries are the rotation vector from
+    /// the first to the second orientation, in rad, in outboard components, of at most half a turn. The translation of an
+    /// `elastic` hinge is that of the outboard origin along inboard axes. All other entries are differences of
+    /// coordinates.
+    ///
+    /// Small displacements are the δ of a linearisation: with `x = (δ, dv)` the state of a regulator is the displacement
+    /// from the reference, followed by the difference of the rates. Quaternions must have unit length.
+    ///
+    /// ```
+    /// use mstmm_runtime::{ChainState, Described};
+    ///
+    /// /// Writes the deviation x = (δ, dv) from a reference; x has two entries for each rate.
+    /// fn deviation<C: Described<Scalar = f64>>(reference: &C::State, state: &C::State, x: &mut [f64]) -> Option<()> {
+    ///     let (displacement, rates) = x.split_at_mut_checked(state.rates().len())?;
+    ///     for ((x, v), v0) in rates.iter_mut().zip(state.rates()).zip(reference.rates()) {
+    ///         *x = v - v0;
+    ///     }
+    ///     C::displacement_to_slice(reference, state, displacement)
+    /// }
+    /// ```
+    #[doc(alias("difference", "mj_differentiatePos", "configuration difference", "log6"))]
+    #[must_use]
+    fn displacement_to_slice(
+        from: &Self::State,
+        to: &Self::State,
+        displacement: &mut [Self::Scalar],
+    ) -> Option<()> {
+        let (mut from, mut to, mut rest) = (from.coordinates(), to.coordinates(), displacement);
+        if rest.len() != Self::DESCRIPTION.rates().len() {
+            return None;
+        }
+        for hinge in Self::DESCRIPTION.hinges().iter() {
+            let (a, b, out);
+            (a, from) = from.split_at_checked(hinge.coordinate_count())?;
+            (b, to) = to.split_at_checked(hinge.coordinate_count())?;
+            (out, rest) = rest.split_at_mut_checked(hinge.rate_count())?;
+            displacement::between(&hinge, [a, b], out);
+        }
+        Some(())
+    }
+
+    /// Displaces the coordinates of a state, the inverse of [`displacement_to_slice`](Self::displacement_to_slice). Returns
+    /// `None` and leaves the state if the length of the slice is not the number of rates.
+    ///
+    /// Rates and time stay. A small displacement δ changes the coordinates by `N(q) δ`, as the rates do: q̇ = N(q) v.
+    #[doc(alias("integrate", "mj_integratePos", "exp6", "retraction"))]
+    #[must_use]
+    fn displace(state: &mut Self::State, displacement: &[Self::Scalar]) -> Option<()> {
+        if displacement.len() != Self::DESCRIPTION.rates().len() {
+            return None;
+        }
+        let (mut q, mut rest) = (state.coordinates_mut(), displacement);
+        for hinge in Self::DESCRIPTION.hinges().iter() {
+            let (coordinates, change);
+            (coordinates, q) = q.split_at_mut_checked(hinge.coordinate_count())?;
+            (change, rest) = rest.split_at_checked(hinge.rate_count())?;
+            displacement::displace(&hinge, coordinates, change);
+        }
         Some(())
     }
 

@@ -57,6 +57,18 @@ impl Dofs {
         self.kinds[0] != QuantityKind::Length
     }
 
+    pub(crate) fn has_quaternion(&self) -> bool {
+        self.kinds[0] == QuantityKind::Quaternion
+    }
+
+    pub(crate) fn coordinate_count(&self) -> usize {
+        self.count(0)
+    }
+
+    pub(crate) fn rate_count(&self) -> usize {
+        self.count(1)
+    }
+
     fn count(&self, side: usize) -> usize {
         self.components[side].len().max(1)
     }
@@ -172,11 +184,16 @@ impl Hinge {
         self.shape.dofs
     }
 
+    /// Returns whether its displacement is along axes that its angles turn.
+    pub(crate) fn is_elastic(&self) -> bool {
+        self.shape.keyword == "elastic"
+    }
+
     /// Returns the largest angle from rest of a ball, or of the rotations of a floating hinge, in rad.
     #[must_use]
     pub fn angle_limit(&self) -> Option<f64> {
         let dofs = self.shape.dofs.iter().zip(self.limits);
-        let mut quaternions = dofs.filter(|(dofs, _)| dofs.kinds[0] == QuantityKind::Quaternion);
+        let mut quaternions = dofs.filter(|(dofs, _)| dofs.has_quaternion());
         quaternions.next().map(|(_, [_, high])| *high).filter(|high| !high.is_nan())
     }
 
