@@ -8,7 +8,8 @@
 pub enum com {}
 
 /// `inertia` in axes of the body frame: `diag(…)`, `tensor(…)` or `matrix(…)`, about `com` or
-/// `input`; in a plane chain a number, about `com` or `input`; in a line chain not allowed.
+/// `input`; `turned …` gives the orientation of other axes; in a plane chain a number, about
+/// `com` or `input`; in a line chain not allowed.
 ///
 /// Unit: kg m². Default: required.
 ///

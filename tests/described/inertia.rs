@@ -3,7 +3,7 @@
 use super::models::{Crawler, Kinds, MASS, Raft, Rope, Train};
 use mstmm::Described;
 use mstmm::description::BodyInertia;
-use mstmm::nalgebra::{Matrix3, Vector3};
+use mstmm::nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 fn of<C: Described<Scalar = f64>>(chain: &C, body: &str) -> BodyInertia<f64> {
     let index = C::DESCRIPTION.body(body).expect(body);
@@ -24,6 +24,66 @@ fn inertia_is_what_was_written() {
     let expected = Matrix3::from_diagonal(&Vector3::new(0.125, moved, moved));
     assert!((cube.tensor - expected).norm() < 1e-15, "{}", cube.tensor);
     assert!(chain.inertia(Kinds::<f64>::DESCRIPTION.bodies().len()).is_none());
+}
+
+mstmm::mstmm_chain! {
+    chain Skew {
+        answers = linearize;
+        param roll = 20 deg;
+        body Wing {
+            mass = 2 kg; com = [0.1, 0.2, 0.3] m; output = [1, 0, 0] m;
+            inertia = tensor(0.4, 0.5, 0.6, 0.02, -0.01, 0.05) kg*m^2 about input turned rpy(roll, -70 deg, 130 deg);
+        }
+        body Fin {
+            mass = 2 kg; com = [0, 0, 0] m;
+            inertia = diag(0.3, 0.4, 0.5) kg*m^2 about com turned quaternion(0.5, -1, 0.25, 2);
+        }
+        ground -> ball root -> Wing wing -> pin([1, 2, 3]) flap -> Fin fin;
+    }
+}
+
+/// `R I Rᵀ` with rotation matrices of another library.
+#[test]
+fn inertia_in_rotated_axes_is_that_of_the_body() -> Result<(), mstmm::Error> {
+    let mut chain = Skew::<f64>::new();
+    for roll in [20f64.to_radians(), -2.5] {
+        chain.set_roll(roll)?;
+        let angles = [roll, -70f64.to_radians(), 130f64.to_radians()];
+        let rotation = Rotation3::from_euler_angles(angles[0], angles[1], angles[2]);
+        let tensor = Matrix3::new(0.4, 0.02, -0.01, 0.02, 0.5, 0.05, -0.01, 0.05, 0.6);
+        let about_input: Matrix3<f64> = rotation * tensor * rotation.inverse();
+        let c = Vector3::new(0.1, 0.2, 0.3);
+        let expected: Matrix3<f64> =
+            about_input - 2.0 * (c.norm_squared() * Matrix3::identity() - c * c.transpose());
+        let found = of(&chain, "wing").tensor;
+        assert!((found - expected).norm() < 2e-15, "{found}{expected}");
+    }
+    let quaternion = UnitQuaternion::from_quaternion(Quaternion::new(0.5, -1.0, 0.25, 2.0));
+    let rotation = quaternion.to_rotation_matrix();
+    let expected: Matrix3<f64> =
+        rotation * Matrix3::from_diagonal(&Vector3::new(0.3, 0.4, 0.5)) * rotation.inverse();
+    let found = of(&chain, "fin").tensor;
+    assert!((found - expected).norm() < 1e-15, "{found}{expected}");
+    Ok(())
+}
+
+/// The derivative with respect to the angle is that of central differences.
+#[test]
+fn accelerations_have_derivatives_by_the_angle_of_an_inertia() -> Result<(), mstmm::Error> {
+    let mut chain = Skew::<f64>::new();
+    let mut state = chain.initial_state();
+    state.v.copy_from_slice(&[1.0, -2.0, 0.5, 3.0]);
+    let exact = chain.linearize(&state, &chain.no_inputs())?.by_parameters;
+    let (h, roll) = (1e-5, 20f64.to_radians());
+    let mut at = |roll: f64| {
+        chain.set_roll(roll)?;
+        chain.accelerations(&state, &chain.no_inputs())
+    };
+    let difference = (at(roll + h)? - at(roll - h)?) / (2.0 * h);
+    // Accelerations of about 10: rounding of 1e-15 / h, and h² times third derivatives.
+    assert!((exact.column(0) - difference).norm() < 1e-8, "{exact}{difference}");
+    assert!(exact.norm() > 0.1);
+    Ok(())
 }
 
 #[test]

@@ -65,7 +65,7 @@ pub enum ValueSyntax {
     Number(ExprSyntax),
     /// `[a, b, c] unit`
     Vector(ListSyntax),
-    /// `[a, b, c] unit turned orientation`, or with a number in place of the vector
+    /// `[a, b, c] unit turned orientation`, or with a number or a form in place of the vector
     Turned(Box<ValueSyntax>, OrientationSyntax),
     /// `word(a, b, …) unit about word`
     Form(FormSyntax),

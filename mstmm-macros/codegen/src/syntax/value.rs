@@ -20,7 +20,12 @@ pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
         return Err(Error::new(input.next_span(), number::SQUARE));
     }
     if is_form(input) {
-        return form(input).map(ValueSyntax::Form);
+        let form = ValueSyntax::Form(form(input)?);
+        let turned = turned(input)?;
+        return Ok(match turned {
+            Some(orientation) => ValueSyntax::Turned(form.into(), orientation),
+            None => form,
+        });
     }
     let start = SpanRange::token(input.next_span());
     if let Some(path) = path_of_several(input) {

@@ -30,8 +30,9 @@ fn value() -> BoxedStrategy<String> {
         let form = (one_of("rpy quaternion", " "), several(number(), 4));
         form.prop_map(|(form, numbers)| format!("{form}({numbers})")).boxed()
     };
-    let inertia = (one_of("diag tensor", " "), several(number(), 6), pick("com input tip"))
-        .prop_map(|(form, numbers, about)| format!("{form}({numbers}) about {about}"));
+    let axes = prop_oneof![Just(String::new()), turn().prop_map(|turn| format!(" turned {turn}"))];
+    let inertia = (one_of("diag tensor", " "), several(number(), 6), pick("com input tip"), axes)
+        .prop_map(|(form, numbers, about, axes)| format!("{form}({numbers}) about {about}{axes}"));
     let shape = || {
         let kind = one_of("box cylinder capsule sphere mesh", " ");
         let arguments = vec(

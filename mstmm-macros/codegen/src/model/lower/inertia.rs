@@ -6,7 +6,7 @@ use super::context::Context;
 use super::dimension::{INERTIA, Quantity};
 use crate::diag::did_you_mean;
 use crate::model::{About, Dimension, Inertia, Value};
-use crate::syntax::{FormSyntax, SpanRange, ValueSyntax};
+use crate::syntax::{FormSyntax, OrientationSyntax, SpanRange, ValueSyntax};
 
 /// Reads one of the forms of a tensor: xx, yy, zz, xy, xz, yz.
 type TensorReader = fn(&mut Context, &FormSyntax, &Quantity) -> Option<[Value; 6]>;
@@ -55,6 +55,21 @@ fn matrix(context: &mut Context, form: &FormSyntax, expected: &Quantity) -> Opti
     Some(IN_MATRIX.map(|index| entries[index].clone()))
 }
 
+/// Returns `R I Rᵀ`: a tensor in axes that the rotation matrix `R` takes to the body's axes.
+fn rotated(tensor: &[Value; 6], rotation: &[[Value; 3]; 3]) -> [Value; 6] {
+    let dot = |a: [&Value; 3], b: [&Value; 3]| {
+        let products = a.into_iter().zip(b).map(|(a, b)| a.clone().times(b.clone()));
+        products.fold(Value::number(0.0), Value::plus)
+    };
+    let [xx, yy, zz, xy, xz, yz] = tensor;
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    IN_MATRIX.map(|index| {
+        let [left, right] = [index / 3, index % 3].map(|row| rotation[row].each_ref());
+        let product = rows.map(|row| dot(row, right));
+        dot(left, product.each_ref())
+    })
+}
+
 /// Returns the place of an entry of a tensor in a form.
 pub(super) fn entry(form: &FormSyntax, index: usize) -> Option<SpanRange> {
     let index = if form.word == "matrix" { *IN_MATRIX.get(index)? } else { index };
@@ -69,9 +84,13 @@ impl Context<'_> {
         if self.space == Dimension::Plane {
             return self.plane_inertia(syntax);
         }
-        let ValueSyntax::Form(form) = syntax else {
-            let message = format!("{EXPECTED}, found {}", syntax.described());
-            return self.refuse(syntax.extent(), message);
+        let (written, axes) = match syntax {
+            ValueSyntax::Turned(written, axes) => (&**written, Some(axes)),
+            written => (written, None),
+        };
+        let ValueSyntax::Form(form) = written else {
+            let message = format!("{EXPECTED}, found {}", written.described());
+            return self.refuse(written.extent(), message);
         };
         let word = form.word.to_string();
         let Some((_, read)) = TENSORS.iter().find(|(known, _)| *known == word) else {
@@ -79,8 +98,19 @@ impl Context<'_> {
             return self.refuse(&form.word, format!("{EXPECTED}, found `{word}`{hint}"));
         };
         let tensor = read(self, form, INERTIA);
-        let about = self.about(SpanRange::token(form.word.span()), form.about.as_ref());
-        Some(Inertia { tensor: tensor?, about: about? })
+        let about = match axes {
+            Some(OrientationSyntax::Form(FormSyntax { about: Some(point), .. })) => {
+                let message = format!("write `about {point}` before `turned`");
+                return self.refuse(point, message);
+            }
+            _ => self.about(SpanRange::token(form.word.span()), form.about.as_ref()),
+        };
+        let axes = axes.map(|axes| self.turned(axes));
+        let tensor = match axes {
+            Some(axes) => rotated(&tensor?, &axes?.rotation()),
+            None => tensor?,
+        };
+        Some(Inertia { tensor, about: about? })
     }
 
     /// Reads the inertia in a plane chain: the moment about z.
