@@ -88,7 +88,8 @@ fn main() -> Result<(), mstmm::Error> {
             right_leg_small_toe_force: force[5],
         })
     };
-    let (mut rk4, mut page) = (Rk4::new(1e-3), Page::of(&humanoid, 1));
+    let mut page = Page::of(&humanoid, 1);
+    let mut rk4 = Rk4::new(1e-3);
     for frame in 0..500 {
         let time = 0.02 * frame as f64;
         page.record(&state, &inputs(time, &state, &mut at)?)?;
