@@ -34,6 +34,22 @@ pub mod answers {
     #![doc = include_str!("tutorial/answers.md")]
 }
 
+pub mod equilibrium {
+    #![doc(alias(
+        "trim",
+        "operating point",
+        "FindFixedPoint",
+        "findop",
+        "natural frequency",
+        "eigenfrequency",
+        "modal analysis",
+        "mode shape",
+        "damping ratio",
+        "vibration"
+    ))]
+    #![doc = include_str!("tutorial/equilibrium.md")]
+}
+
 pub mod balance {
     #![doc(alias(
         "LQR",
