@@ -24,6 +24,7 @@ pub mod frames {}
     "CalcBiasCenterOfMassTranslationalAcceleration"
 ))]
 #[doc(alias("dccrba", "computeCentroidalMapTimeVariation"))]
+#[doc(alias("DH", "Denavit-Hartenberg", "DH parameters", "DH table", "modified DH", "Craig"))]
 pub mod terms {}
 
 pub mod hinges;
