@@ -24,6 +24,7 @@ mod scope;
 mod shapes;
 mod text;
 mod visual;
+mod xacro;
 mod xml;
 
 use bodies::Tree;

@@ -9,6 +9,7 @@ use super::frame::{Angle, Frame};
 use super::mass::Mass;
 use super::mjcf;
 use super::visual::{Visual, visuals};
+use super::xacro;
 use super::xml::Element;
 
 /// The content of a file.
@@ -91,9 +92,15 @@ impl Robot {
                 roxmltree::Error::UnexpectedEndOfStream => end(text),
                 _ => Place { line: error.pos().row, column: error.pos().col },
             };
-            ImportError::at(position, format!("XML: {error}"))
+            match error {
+                roxmltree::Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
+                    ImportError::at(position, xacro::MESSAGE)
+                }
+                error => ImportError::at(position, format!("XML: {error}")),
+            }
         })?;
         let root = Element::new(document.root_element());
+        xacro::refuse(root)?;
         match root.tag() {
             "mujoco" => return mjcf::read(root, snap),
             "sdf" => return Err(mjcf::refuse_sdf(root)),

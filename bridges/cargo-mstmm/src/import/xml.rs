@@ -20,6 +20,16 @@ impl<'a> Element<'a> {
         self.node.tag_name().name()
     }
 
+    /// Returns the address of the namespace of the tag.
+    pub fn namespace(self) -> Option<&'a str> {
+        self.node.tag_name().namespace()
+    }
+
+    /// Returns the values of all attributes.
+    pub fn values(self) -> impl Iterator<Item = &'a str> {
+        self.node.attributes().map(|attribute| attribute.value())
+    }
+
     pub fn place(self) -> Place {
         let position = self.node.document().text_pos_at(self.node.range().start);
         Place { line: position.row, column: position.col }
