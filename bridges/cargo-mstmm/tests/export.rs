@@ -67,7 +67,9 @@ fn what_urdf_has_is_written_out() {
     let parts = [
         "<robot name=\"Rods\">",
         "<inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.30000000000000004\" iyz=\"0\" izz=\"0.30000000000000004\"/>",
-        "<limit lower=\"-1.5707963267948966\" upper=\"1.5707963267948966\" effort=\"20\" velocity=\"0\"/>",
+        "<limit lower=\"-1.5707963267948966\" upper=\"1.5707963267948966\" effort=\"20\" velocity=\"1e9\"/>",
+        "<limit lower=\"-1e9\" upper=\"1e9\" effort=\"1e9\" velocity=\"1e9\"/>",
+        "<!-- URDF requires effort and velocity of a limit, which a chain does not have: 1e9 is no limit,",
         "<dynamics damping=\"0\" friction=\"0.1\"/>",
         "<origin xyz=\"0.25 0 0\"/>",
         "<link name=\"rod2\">",

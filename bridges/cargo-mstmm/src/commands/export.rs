@@ -4,7 +4,7 @@ use clap::Args;
 use std::path::PathBuf;
 
 use super::{Failure, write};
-use crate::export::{export, select};
+use crate::export::{NOT_FROM_CHAIN, export, select};
 use crate::source::Source;
 use mstmm_codegen::model::Chain;
 
@@ -41,5 +41,8 @@ pub fn run(arguments: &Export) -> Result<(), Failure> {
     };
     let chain = select(&chains, arguments.name.as_deref()).map_err(|reason| refused(&[reason]))?;
     let exported = export(chain).map_err(|reasons| refused(&reasons))?;
+    if exported.contains(NOT_FROM_CHAIN) {
+        eprintln!("note: {}: {NOT_FROM_CHAIN}", source.file);
+    }
     write(&exported, arguments.output.as_deref())
 }

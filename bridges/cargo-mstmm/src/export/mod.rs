@@ -6,6 +6,7 @@ mod values;
 mod visuals;
 
 use mstmm_codegen::model::Chain;
+pub use urdf::NOT_FROM_CHAIN;
 use values::Values;
 
 /// Returns a chain as a URDF file.

@@ -14,6 +14,14 @@ use crate::import::{Names, number, shortest};
 /// The name of the root link, unless it is a floating base. No body can have it.
 const GROUND: &str = "ground";
 
+/// The number for a limit that the chain does not have. Readers refuse infinity, and zero would hold the joint. The
+/// import reads it as no limit.
+const NONE: &str = "1e9";
+
+/// Why a file has efforts and velocities of limits, for a comment in it and a note about it.
+pub const NOT_FROM_CHAIN: &str = "URDF requires effort and velocity of a limit, which a chain does not have: 1e9 is no limit, and other \
+     efforts are limit_stiffness times 1 deg or 1 mm, not those of a motor";
+
 /// Returns the file of a chain without repeated parts.
 pub fn write(chain: &Chain, values: &Values) -> String {
     let mut writer = Writer { chain, values, names: Names::default(), text: String::new() };
@@ -22,6 +30,9 @@ pub fn write(chain: &Chain, values: &Values) -> String {
         chain.bodies.iter().map(|body| writer.names.unique(&body.name.to_string(), "")).collect();
     let base = floating_base(chain);
     let _ = writeln!(writer.text, "<?xml version=\"1.0\"?>\n<robot name=\"{}\">", chain.name);
+    if chain.hinges.iter().any(needs_limit) {
+        let _ = writeln!(writer.text, "  <!-- {NOT_FROM_CHAIN}. -->");
+    }
     if base.is_none() {
         let _ = writeln!(writer.text, "  <link name=\"{GROUND}\"/>");
     }
@@ -138,7 +149,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Writes limits, damping and friction. The effort is that of the limits at 1° or 1 mm beyond them.
+    /// Writes limits, damping and friction. [`NOT_FROM_CHAIN`] explains the values that URDF requires.
     fn passive(&mut self, passive: &Passive, kind: &str) {
         let unit = if kind == "prismatic" { 1e-3 } else { std::f64::consts::PI / 180.0 };
         let limit = passive.limits.as_ref().map(|limits| {
@@ -148,10 +159,11 @@ impl Writer<'_> {
             format!("lower=\"{low}\" upper=\"{high}\" effort=\"{}\"", number(effort))
         });
         match limit {
-            Some(limit) => self.line(2, &format!("<limit {limit} velocity=\"0\"/>")),
-            // Readers require the element.
+            Some(limit) => self.line(2, &format!("<limit {limit} velocity=\"{NONE}\"/>")),
+            // URDF requires the element.
             None if kind == "prismatic" => {
-                self.line(2, "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>")
+                let range = format!("lower=\"-{NONE}\" upper=\"{NONE}\"");
+                self.line(2, &format!("<limit {range} effort=\"{NONE}\" velocity=\"{NONE}\"/>"));
             }
             None => {}
         }
@@ -209,6 +221,15 @@ impl Writer<'_> {
             || point.to_owned(),
             |(parts, _)| format!("{}_{point}", parts.replace('.', "_")),
         )
+    }
+}
+
+/// Returns whether URDF requires the element `limit` for a hinge.
+fn needs_limit(hinge: &Hinge) -> bool {
+    match hinge.kind {
+        HingeKind::Pin { .. } => has_limits(hinge),
+        HingeKind::Slider { .. } => true,
+        _ => false,
     }
 }
 

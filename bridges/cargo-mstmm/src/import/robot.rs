@@ -72,6 +72,9 @@ pub enum Kind {
     Ball,
 }
 
+/// Limits of this size are none. URDF requires numbers where a joint is not limited, and readers do not accept infinity.
+pub const UNLIMITED: f64 = 1e9;
+
 /// The limits of a joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limit {
@@ -79,6 +82,8 @@ pub struct Limit {
     pub range: Option<[f64; 2]>,
     /// The largest effort; zero if the file has none.
     pub effort: f64,
+    /// The largest velocity; zero if the file has none.
+    pub velocity: f64,
 }
 
 impl Robot {
@@ -242,13 +247,16 @@ fn axis(element: Element, kind: Kind) -> Result<Vector3<f64>> {
 }
 
 fn limit(element: Element, kind: Kind) -> Result<Limit> {
-    let effort = element.any_number("effort", 0.0)?.abs();
-    let effort = if effort.is_finite() { effort } else { 0.0 };
+    let largest = |name| {
+        let value = element.any_number(name, 0.0)?.abs();
+        Ok(if value < UNLIMITED { value } else { 0.0 })
+    };
+    let [effort, velocity] = [largest("effort")?, largest("velocity")?];
     if !matches!(kind, Kind::Revolute | Kind::Prismatic) {
-        return Ok(Limit { range: None, effort });
+        return Ok(Limit { range: None, effort, velocity });
     }
     let [low, high] = [element.any_number("lower", 0.0)?, element.any_number("upper", 0.0)?];
     // Files write equal limits for none.
-    let range = (low < high && low.is_finite() && high.is_finite()).then_some([low, high]);
-    Ok(Limit { range, effort })
+    let is_limited = low < high && -low < UNLIMITED && high < UNLIMITED;
+    Ok(Limit { range: is_limited.then_some([low, high]), effort, velocity })
 }

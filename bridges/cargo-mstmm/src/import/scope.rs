@@ -3,6 +3,7 @@
 use super::bodies::{Body, Tree};
 use super::expressions::Expressions;
 use super::frame::{Angle, Frame};
+use super::numbers::number;
 use super::robot::{Joint, Kind, Robot};
 use super::shapes::shapes;
 
@@ -200,6 +201,24 @@ impl<'a> Scope<'a> {
         fields
     }
 
+    /// Returns the largest effort and velocity of the file for a comment, since a chain limits neither.
+    pub fn largest(&self, position: usize) -> Option<String> {
+        let joints = self.joints(position);
+        let units = match joints.first()?.kind {
+            Kind::Prismatic => &SLIDER,
+            Kind::Revolute | Kind::Continuous => &PIN,
+            Kind::Fixed | Kind::Planar | Kind::Floating | Kind::Ball => return None,
+        };
+        let efforts = each(&joints, |joint| joint.limit.effort);
+        let velocities = each(&joints, |joint| joint.limit.velocity);
+        let limits = [
+            range(&efforts).map(|efforts| format!("{efforts} {}", units.effort)),
+            range(&velocities).map(|velocities| format!("{velocities} {}/s", units.coordinate)),
+        ];
+        let limits: Vec<String> = limits.into_iter().flatten().collect();
+        (!limits.is_empty()).then(|| limits.join(", "))
+    }
+
     fn limits(
         &mut self,
         ranges: &[[f64; 2]],
@@ -289,6 +308,17 @@ fn each<T, U>(items: &[T], value: impl Fn(&T) -> U) -> Vec<U> {
 /// Returns the values of each component.
 fn components(vectors: &[[f64; 3]]) -> Vec<Vec<f64>> {
     (0..3).map(|index| each(vectors, |vector| vector[index])).collect()
+}
+
+/// Returns a number, or the lowest and the highest of several; nothing if all are zero.
+fn range(values: &[f64]) -> Option<String> {
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(0.0, f64::max);
+    match (high > 0.0, low == high) {
+        (false, _) => None,
+        (true, true) => Some(number(high)),
+        (true, false) => Some(format!("{} to {}", number(low), number(high))),
+    }
 }
 
 fn largest<T: AsRef<[f64]>>(values: impl IntoIterator<Item = T>) -> f64 {

@@ -141,7 +141,7 @@ impl Writer<'_> {
             Scope { source: self.source, names: &self.naming.table, branches, expressions };
         let mut types: HashMap<String, String> = HashMap::new();
         let mut texts = Texts { types: Vec::new(), steps: Vec::new(), hinges: Vec::new() };
-        let mut blocks: Vec<(Vec<String>, Vec<String>)> = Vec::new();
+        let mut blocks: Vec<HingeBlock> = Vec::new();
         for (position, &body) in branches[0].iter().enumerate() {
             let fields = scope.fields(position);
             // Equal bodies are one type.
@@ -158,14 +158,15 @@ impl Writer<'_> {
             }
             let hinge = &self.naming.table.hinges[body];
             texts.steps.push(vec![format!("{} {hinge}", scope.hinge_kind(position)), step]);
-            let fields = scope.properties(position);
-            match blocks.iter_mut().find(|(other, _)| *other == fields) {
-                Some((_, hinges)) => hinges.push(hinge.clone()),
-                None => blocks.push((fields, vec![hinge.clone()])),
+            let (fields, largest) = (scope.properties(position), scope.largest(position));
+            match blocks.iter_mut().find(|block| block.fields == fields) {
+                Some(block) => block.hinges.push((hinge.clone(), largest)),
+                None => blocks.push(HingeBlock { fields, hinges: vec![(hinge.clone(), largest)] }),
             }
         }
-        for (fields, hinges) in blocks.iter().filter(|(fields, _)| !fields.is_empty()) {
-            texts.hinges.extend(hinge_block(hinges, fields));
+        for block in blocks.iter().filter(|block| !block.fields.is_empty()) {
+            texts.hinges.extend(block.comment());
+            texts.hinges.extend(block.text());
         }
         texts
     }
@@ -292,14 +293,48 @@ fn block(head: &str, fields: &[String]) -> Vec<String> {
     lines
 }
 
-fn hinge_block(hinges: &[String], fields: &[String]) -> Vec<String> {
-    let head = format!("hinge {}", hinges.join(", "));
-    let line = format!("{head} {{ {} }}", fields.join(" "));
-    if line.len() <= 96 {
-        return vec![line];
+/// Hinges with the same fields.
+struct HingeBlock {
+    fields: Vec<String>,
+    /// Their names, each with what the file limits and a chain does not.
+    hinges: Vec<(String, Option<String>)>,
+}
+
+impl HingeBlock {
+    /// Returns the largest efforts and velocities of the file.
+    fn comment(&self) -> Vec<String> {
+        let (_, first) = &self.hinges[0];
+        let list = match first {
+            Some(first) if self.hinges.iter().all(|(_, other)| other.as_ref() == Some(first)) => {
+                first.clone()
+            }
+            _ => {
+                let each = |(name, largest): &(String, Option<String>)| {
+                    largest.as_ref().map(|largest| format!("{name} {largest}"))
+                };
+                self.hinges.iter().filter_map(each).collect::<Vec<_>>().join("; ")
+            }
+        };
+        match list.is_empty() {
+            true => Vec::new(),
+            false => wrapped(
+                &format!("// Largest in the file, not limited here: {list}."),
+                "//     ",
+                ", ",
+            ),
+        }
     }
-    let mut lines = wrapped(&format!("{head} {{"), "    ", ", ");
-    lines.extend(fields.iter().map(|field| format!("    {field}")));
-    lines.push("}".to_owned());
-    lines
+
+    fn text(&self) -> Vec<String> {
+        let names: Vec<&str> = self.hinges.iter().map(|(name, _)| &**name).collect();
+        let head = format!("hinge {}", names.join(", "));
+        let line = format!("{head} {{ {} }}", self.fields.join(" "));
+        if line.len() <= 96 {
+            return vec![line];
+        }
+        let mut lines = wrapped(&format!("{head} {{"), "    ", ", ");
+        lines.extend(self.fields.iter().map(|field| format!("    {field}")));
+        lines.push("}".to_owned());
+        lines
+    }
 }

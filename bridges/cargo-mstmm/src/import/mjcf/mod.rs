@@ -305,7 +305,7 @@ impl<'a> Reader<'a> {
             // The swing of a ball has no limit in a chain.
             _ => None,
         };
-        Ok(Limit { range, effort })
+        Ok(Limit { range, effort, velocity: 0.0 })
     }
 }
 
