@@ -36,8 +36,12 @@ pub mod answers {
 
 pub mod equilibrium {
     #![doc(alias(
+        "equilibrium",
         "trim",
+        "trim condition",
         "operating point",
+        "fixed point",
+        "steady state",
         "FindFixedPoint",
         "findop",
         "natural frequency",
@@ -45,7 +49,8 @@ pub mod equilibrium {
         "modal analysis",
         "mode shape",
         "damping ratio",
-        "vibration"
+        "vibration",
+        "vibration mode"
     ))]
     #![doc = include_str!("tutorial/equilibrium.md")]
 }

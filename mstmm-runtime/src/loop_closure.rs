@@ -6,7 +6,8 @@ use crate::{Mask, Scalar};
 ///
 /// Along a redundant direction the motion is unique, but the reactions are not: a plane loop of four pins in space can
 /// be assembled with any stress across its plane. The reported reactions are those of least norm: the smallest sum of
-/// squares of the forces in N and the moments in N m at the closing hinge, which is the last hinge of the first route.
+/// squares of the forces in N and the moments in N m at the closing hinge, which is the last hinge of the first
+/// route that is not a weld.
 #[doc(alias("redundant constraints", "overconstrained", "constraint forces"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopClosure<T, const C: usize> {

@@ -1,7 +1,7 @@
 //! Rules on the values of bodies, springs and hinges. The compiler checks known values, `rustc`
 //! those that depend on Rust constants, and setters those that depend on parameters.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::condition::{Bound, Condition};
 use super::length::{self, BOUNDS};
@@ -211,6 +211,7 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
         let reason = format!("must not leave the axes of {owner} parallel");
         checks.extend(Check::new(length::sine_margin(axes), Bound::BePositive, reason));
     }
+    checks.extend(of_pitch(hinge, &owner));
     for (strain, passive) in hinge.passive.iter().enumerate() {
         let numbers = PASSIVE
             .iter()
@@ -227,6 +228,28 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
         }
     }
     checks
+}
+
+/// Returns the checks of the angles of an elastic hinge at its start and at rest, which are singular at a right angle.
+fn of_pitch(hinge: &Hinge, owner: &str) -> Vec<Check> {
+    let groups = hinge.kind.spec().groups.iter();
+    let pitches = groups.filter_map(DofGroup::pitch).flat_map(|pitch| {
+        [("start", &hinge.start), ("rest", &hinge.rest)]
+            .map(|(of, angles)| (of, angles.get(pitch).cloned()))
+    });
+    let checks = pitches.flat_map(|(of, pitch)| {
+        let reason =
+            format!("must leave the pitch angle of the {of} of {owner} between -90 deg and 90 deg");
+        let margins = pitch.map(|pitch| right_angle_margins(&pitch)).into_iter().flatten();
+        margins.filter_map(move |margin| Check::new(margin, Bound::BePositive, reason.clone()))
+    });
+    checks.collect()
+}
+
+/// Returns two values that are positive if an angle is between −90° and 90°.
+pub(super) fn right_angle_margins(angle: &Value) -> [Value; 2] {
+    let right_angle = || Value::number(FRAC_PI_2);
+    [right_angle().minus(angle.clone()), right_angle().plus(angle.clone())]
 }
 
 fn of_limits(limits: &Limits, hinge: &Hinge, strain: usize, owner: &str) -> Vec<Check> {

@@ -9,7 +9,7 @@ use super::lookahead::{ITEMS, SETTINGS};
 use super::path::block_head;
 use super::route_tree::ContentSyntax;
 use super::tree::{BlockKeyword, BlockSyntax};
-use super::{other_programs, recover, route};
+use super::{lookahead, other_programs, recover, route};
 use crate::diag::{Diagnostics, nearest};
 
 /// The keywords of blocks.
@@ -70,8 +70,25 @@ pub(super) fn block(
                 routes_before,
             });
         }
-        Err(error) => report_and_skip(error, input, def, diagnostics),
+        Err(error) => {
+            report_and_skip(error, input, def, diagnostics);
+            // Without braces the fields stand alone.
+            while begins_stray_field(input) {
+                input.skip_statement();
+            }
+        }
     }
+}
+
+/// Whether `name = value` or `point name = value` is next that is not a setting.
+fn begins_stray_field(input: &Cursor) -> bool {
+    let is_setting = input.peek_ident().is_some_and(|word| SETTINGS.iter().any(|it| word == it));
+    let is_arrow = {
+        let mut ahead = *input;
+        ahead.ident();
+        ahead.peek_pair('=', '>')
+    };
+    lookahead::begins_field(input) && !is_setting && !is_arrow
 }
 
 /// Parses a route.
@@ -105,6 +122,14 @@ pub(super) fn unknown(
     if word == "moving" {
         let message =
             "a moving end begins or ends a route: write `moving name -> …` or `… -> moving name`";
+        return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
+    }
+    if word == "part" {
+        let message = "write `part Name(parameter, …) { … }`, or `part Name { … }`";
+        return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
+    }
+    if let Some(keyword) = lookahead::missing_keyword(input) {
+        let message = format!("write the keyword: `{keyword} {word}`");
         return report_and_skip(Error::new(word.span(), message), input, def, diagnostics);
     }
     let known = ITEMS.iter().chain(SETTINGS).copied().filter(|known| word != known);

@@ -31,6 +31,10 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
         let name = point(&mut inside).or_else(|| misspelt_point(&mut inside, diagnostics));
         if let Some(name) = name {
             content.points.push(ends.field(name, &mut inside, diagnostics));
+        } else if let Some(nameless) = nameless_point(&mut inside) {
+            diagnostics.error(nameless.span(), "a point needs a name: `point name = …`");
+            ends.field(nameless, &mut inside, diagnostics);
+            content.complete = false;
         } else if let Some(name) = inside.ident() {
             content.fields.push(ends.field(name, &mut inside, diagnostics));
         } else if !inside.is_empty() {
@@ -43,6 +47,14 @@ pub(super) fn content(mut inside: Cursor, diagnostics: &mut Diagnostics) -> Cont
     }
     content.complete &= !ends.skipped;
     content
+}
+
+/// Reads `point`, if `=` follows.
+fn nameless_point(input: &mut Cursor) -> Option<Ident> {
+    let mut ahead = *input;
+    let word = ahead.ident().filter(|word| word == "point" && ahead.peek_punct('='))?;
+    *input = ahead;
+    Some(word)
 }
 
 /// Reads the name of a point after a misspelt `point` or a word of other programs, which is reported.

@@ -80,22 +80,39 @@ pub(super) fn name(input: &mut Cursor) -> Option<Ident> {
 /// word, by an arrow, or because it is a single body or hinge.
 pub(super) fn is_route(input: &Cursor) -> bool {
     let mut ahead = *input;
-    let is_item = ahead.ident().is_some_and(|word| {
-        word.to_string().starts_with(char::is_uppercase) || HINGES.iter().any(|kind| word == kind)
-    });
+    let Some(word) = ahead.ident() else { return false };
+    let is_hinge = HINGES.iter().any(|kind| word == kind);
+    let is_item = is_hinge || word.to_string().starts_with(char::is_uppercase);
     ahead.group(Delimiter::Parenthesis);
-    let _name = name(&mut ahead);
+    let is_named = name(&mut ahead).is_some();
     let ends = ahead.peek_punct(';') || ahead.is_empty() || begins_block(&ahead);
-    (is_item && ends) || is_clearly_route(input)
+    // A wrong sign, or none, before the next item.
+    let goes_on =
+        is_hinge && is_named && !ahead.peek_group(Delimiter::Brace) && !ahead.peek_punct('=');
+    (is_item && (ends || goes_on)) || is_clearly_route(input)
 }
 
 /// Returns whether the statement begins with a keyword of the route, or has an arrow.
 pub(super) fn is_clearly_route(input: &Cursor) -> bool {
     let mut ahead = *input;
     let Some(first) = ahead.ident() else { return false };
-    // Braces in a wrong place.
-    ahead.group(Delimiter::Brace);
+    // Braces in a wrong place, unless they have the fields of a body type without its keyword.
+    if let Some((inside, _)) = ahead.group(Delimiter::Brace)
+        && first.to_string().starts_with(char::is_uppercase)
+        && begins_field(&inside)
+    {
+        return false;
+    }
     first == "ground" || first == "repeat" || has_arrow(ahead)
+}
+
+/// Returns the keyword that is missing before the name of a type or a part, if only its braces follow: `Name { … }`.
+pub(super) fn missing_keyword(input: &Cursor) -> Option<&'static str> {
+    let mut ahead = *input;
+    ahead.ident().filter(|word| word.to_string().starts_with(char::is_uppercase))?;
+    let has_parameters = ahead.group(Delimiter::Parenthesis).is_some();
+    let (inside, _) = ahead.group(Delimiter::Brace)?;
+    Some(if !has_parameters && begins_field(&inside) { "body" } else { "part" })
 }
 
 /// Returns whether an end of a route is next that no arrow follows: the last item of the route.

@@ -19,7 +19,7 @@ const LONGEST_LITERAL: usize = 100;
 const MOST_TIMES: usize = 10_000_000;
 
 /// The message for powers as other languages write them.
-const POWERS: &str = "write powers with `^`";
+pub(super) const POWERS: &str = "write powers with `^`";
 
 /// The message for numbers before or after a vector.
 pub(super) const INSIDE: &str = "write signs and factors inside the brackets";

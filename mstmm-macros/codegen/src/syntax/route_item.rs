@@ -36,6 +36,9 @@ pub(super) fn route_item(
         return Ok(RouteItemSyntax::Moving { at, name });
     }
     let word = input.ident().ok_or_else(|| input.unexpected("a hinge, a body or `ground`"))?;
+    if word == "at" && input.peek_group(Delimiter::Bracket) {
+        return Err(Error::new(word.span(), "write `ground` before the position: `ground at …`"));
+    }
     let mut arguments = arguments(input)?;
     let has_brackets = input.peek_group(Delimiter::Bracket);
     if arguments.is_none() && (has_brackets || begins_hinge(&word)) && is_misplaced(input) {

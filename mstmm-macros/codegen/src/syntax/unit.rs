@@ -5,6 +5,7 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::lookahead;
+use super::number::POWERS;
 use super::other_programs::TURNED;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
@@ -58,9 +59,11 @@ fn in_parentheses(input: &mut Cursor) -> Option<UnitSyntax> {
     Some(UnitSyntax { parentheses: Some(extent), extent, ..unit })
 }
 
-/// Reports a second unit after a unit. A longer word with a capital is the next item of a route.
+/// Reports a second unit after a unit, or after a point. A longer word with a capital is the next item of a route.
 fn check_single(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
-    let Some(next) = input.peek_ident().filter(|_| is_next(input)) else { return Ok(()) };
+    let mut ahead = *input;
+    ahead.punct('.');
+    let Some(next) = ahead.peek_ident().filter(|_| is_next(&ahead)) else { return Ok(()) };
     let text = next.to_string();
     if text.starts_with(char::is_uppercase) && text.len() > 2 {
         return Ok(());
@@ -127,7 +130,14 @@ fn symbol(input: &mut Cursor) -> Result<(String, Span)> {
 }
 
 fn power(input: &mut Cursor) -> Result<i32> {
-    if input.punct('^').is_none() { Ok(1) } else { exponent(input) }
+    if input.punct('^').is_some() {
+        return exponent(input);
+    }
+    let mut ahead = *input;
+    if ahead.pair('*', '*').is_some() && exponent(&mut ahead).is_ok() {
+        return Err(Error::new(input.next_span(), POWERS));
+    }
+    Ok(1)
 }
 
 /// Parses the whole number after `^`.

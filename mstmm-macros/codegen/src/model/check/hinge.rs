@@ -4,9 +4,9 @@ use crate::diag::Diagnostics;
 use crate::model::condition::{Bound, Condition, Requirement};
 use crate::model::length::{self, scaled};
 use crate::model::lower::{Draft, RouteItem, Spanned, groups};
-use crate::model::{Drive, HingeKind, Representation, Value};
+use crate::model::rules::right_angle_margins;
+use crate::model::{DofGroup, Drive, HingeKind, Value};
 use crate::syntax::{ArgumentsSyntax, FieldSyntax, OrientationSyntax, SpanRange, ValueSyntax};
-use std::f64::consts::FRAC_PI_2;
 
 /// Returns the readable hinges, with their arguments.
 fn hinges<'d>(
@@ -71,12 +71,7 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
         let (RouteItem::Hinge { spec, .. }, Some(motion)) = (item, &properties.motion) else {
             continue;
         };
-        let Some(group) =
-            spec.groups.iter().find(|group| group.representation == Representation::Angles)
-        else {
-            continue;
-        };
-        let pitch = group.coordinates.start + 1;
+        let Some(pitch) = spec.groups.iter().find_map(DofGroup::pitch) else { continue };
         for (name, coordinates) in [("start", &motion.start), ("rest", &motion.rest)] {
             let Some(field) = properties.fields.get(name) else { continue };
             let Some(angle) = coordinates.get(pitch) else { continue };
@@ -85,8 +80,7 @@ pub(super) fn elastic_pitches_are_less_than_a_right_angle(draft: &Draft) -> Vec<
             }
             seen.push(field);
             let message = "the pitch angle of an elastic hinge must be between -90 deg and 90 deg";
-            let right_angle = || Value::number(FRAC_PI_2);
-            let margins = [right_angle().minus(angle.clone()), right_angle().plus(angle.clone())];
+            let margins = right_angle_margins(angle);
             let condition =
                 |margin| Condition::new(margin, Bound::BePositive, pitch_of(field), message);
             requirements.push(margins.map(condition).to_vec());

@@ -223,6 +223,13 @@ pub struct DofGroup {
     pub rates: Range<usize>,
 }
 
+impl DofGroup {
+    /// Returns the index of the pitch angle among the hinge's coordinates, if they are angles of a rotation in space.
+    pub fn pitch(&self) -> Option<usize> {
+        (self.representation == Representation::Angles).then_some(self.coordinates.start + 1)
+    }
+}
+
 /// The representation of coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Representation {

@@ -206,10 +206,12 @@ impl BodyType<'_> {
         self.block.fields.iter().find(|field| field.name == name)
     }
 
-    /// Returns whether a field of this name is written that does not exist.
-    pub fn has_unknown_field(&self, name: &Ident) -> bool {
-        self.block.fields.iter().any(|field| field.name == *name)
-            && !field_names(self.space).iter().any(|known| name == known)
+    /// Returns whether a point of this name may be written with an error: as a field that does not exist, or in a block
+    /// that was not readable in all places.
+    pub fn may_have_point(&self, name: &Ident) -> bool {
+        let is_field = self.block.fields.iter().any(|field| field.name == *name)
+            && !field_names(self.space).iter().any(|known| name == known);
+        is_field || !self.block.complete
     }
 
     /// The fields that it lacks; it needs an output where something follows on the route.

@@ -13,6 +13,8 @@ pub(crate) struct Fields<'a> {
     /// The fields, each with the part in which it is written.
     fields: Vec<(&'a FieldSyntax, Option<&'a Ident>)>,
     refused: bool,
+    /// The names of fields in blocks whose names are wrong: they may be meant for this one.
+    lost: Vec<&'a Ident>,
 }
 
 /// What fields describe, for messages.
@@ -83,7 +85,12 @@ impl<'a> Fields<'a> {
 
     /// Whether the field of this name is missing.
     pub fn lacks(&self, name: &str) -> bool {
-        !self.refused && self.get(name).is_none()
+        !self.refused && self.get(name).is_none() && !self.lost.iter().any(|lost| *lost == name)
+    }
+
+    /// Notes fields of a block that may be meant for this one.
+    pub(super) fn may_have(&mut self, lost: &[&'a Ident]) {
+        self.lost.extend(lost);
     }
 
     /// The field of this name.

@@ -181,7 +181,7 @@ impl LoadTarget<'_, '_> {
             return context.read_vector(syntax, LENGTH).map(Some);
         }
         // The unknown field is reported already.
-        if body_type.has_unknown_field(word) {
+        if body_type.may_have_point(word) {
             return Some(None);
         }
         let names = body_type.points.iter().map(|point| point.name.to_string());

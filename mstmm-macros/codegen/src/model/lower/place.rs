@@ -179,7 +179,8 @@ impl<'t, 'a> Resolved<'t, 'a> {
     ) -> Option<T> {
         let shown = PathSyntax { last: None, names: body.to_vec() };
         let written = self.written;
-        if self.is_uncertain(&written.scopes[scope].path(body)) {
+        let may_be_in_lost_part = body.len() > 1 && !written.complete;
+        if may_be_in_lost_part || self.is_uncertain(&written.scopes[scope].path(body)) {
             return None;
         }
         if let [name] = body
@@ -282,8 +283,8 @@ fn no_place<T>(
     body_type: &BodyType,
     context: &mut Context,
 ) -> Option<T> {
-    // The unknown field is reported already.
-    if body_type.has_unknown_field(point) {
+    // It is reported already.
+    if body_type.may_have_point(point) {
         return None;
     }
     let message = format!("`{body}` has no place `{point}`; it has {}", places_of(body_type));

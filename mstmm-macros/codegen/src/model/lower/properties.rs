@@ -28,6 +28,8 @@ pub(super) fn properties<'a>(
 ) -> Vec<ItemProperties<'a>> {
     let Resolved { written, items, .. } = resolved;
     let mut fields = vec![Fields::default(); items.len()];
+    // The fields of blocks that name no item.
+    let mut lost = Vec::new();
     let mut blocks: Vec<&'a WrittenBlock> =
         written.blocks.iter().filter(|block| !body::is_type(&block.syntax)).collect();
     // Blocks in a part come first, so that the error is outside if a field is given twice.
@@ -43,7 +45,15 @@ pub(super) fn properties<'a>(
         if !block.after_route && !written.routes.is_empty() {
             context.diagnostics.error(block.at, "write the block of a hinge after the route");
         }
-        assign(written_block, resolved, &mut fields, context);
+        if !assign(written_block, resolved, &mut fields, context) {
+            lost.extend(block.fields.iter().map(|field| &field.name));
+        }
+    }
+    for fields in &mut fields {
+        fields.may_have(&lost);
+        if !written.complete {
+            fields.refuse();
+        }
     }
     let floats = floats(written, items);
     let read = |(index, (item, fields)): (usize, (&RouteItem, Fields<'a>))| {
@@ -77,19 +87,23 @@ pub(super) fn floats(written: &WrittenOut, items: &[RouteItem]) -> bool {
     is_body(route.items.first()) && is_body(route.items.last())
 }
 
-/// Assigns the fields of a block to the items that it names.
+/// Assigns the fields of a block to the items that it names. Returns whether it names items only.
 fn assign<'a>(
     written_block: &'a WrittenBlock,
     resolved: Resolved<'_, 'a>,
     fields: &mut [Fields<'a>],
     context: &mut Context,
-) {
+) -> bool {
     let block = &*written_block.syntax;
+    let mut names_items = true;
     let part = resolved.written.scopes[written_block.scope].part.map(|part| &part.name);
     // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
     for path in &block.names {
-        let Some(index) = target(written_block, path, resolved, context) else { continue };
+        let Some(index) = target(written_block, path, resolved, context) else {
+            names_items = false;
+            continue;
+        };
         if block.word == BlockKeyword::Body {
             refuse_points(block, context);
         }
@@ -114,6 +128,7 @@ fn assign<'a>(
             }
         }
     }
+    names_items
 }
 
 /// Returns the item of a path in a block; `None` if no item of this path can have a block.
@@ -187,7 +202,8 @@ fn unknown_name(
         context.diagnostics.error(name.span(), message);
         return;
     }
-    if !written.routes_are_complete || written.routes.is_empty() {
+    let may_be_in_lost_part = path.names.len() > 1 && !written.complete;
+    if !written.routes_are_complete || written.routes.is_empty() || may_be_in_lost_part {
         return;
     }
     // It may be the missing name of a hinge.

@@ -164,6 +164,7 @@ fn notations_of_other_languages_are_known() {
     expect_mass("-0,5 kg", &[(",", "write decimals with a point")]);
     expect_mass("2**3 kg", &[("*", "write powers with `^`")]);
     expect_mass("2 kg**2", &[("*", "write powers with `^`")]);
+    expect_mass("2 kg.m", &[("m", "units multiply with `*`: `kg*m`")]);
     expect_mass("(1, 2, 3) kg", &[("(", "write vectors as `[x, y, z]`")]);
     expect_mass("let x = 1", &[("let", "expected a number, found `let`")]);
     let inside = "write signs and factors inside the brackets";

@@ -276,6 +276,8 @@ fn the_last_end_follows_an_arrow() {
         &[("ground", "expected `->`, found `ground`")],
     );
     expect_rods(&format!("{route} moving hand;"), &[("moving", "expected `->`, found `moving`")]);
+    let at = "write `ground` before the position: `ground at …`";
+    expect_rods(&format!("{route} -> at [1, 0, 0];"), &[("at", at)]);
     // This end begins the next route.
     let next = "ground at [1, 0, 0] -> pin c -> Rod rod3;";
     expect_rods(&format!("{route} {next}"), &[("k", "expected `;` after this")]);

@@ -255,3 +255,69 @@ fn names_on_unreadable_routes_and_in_parts_are_known() {
         &[("7", "expected an item, found `7`")],
     );
 }
+
+#[test]
+fn a_block_with_a_wrong_name_has_the_fields_that_lack() {
+    let blocks =
+        |first: &str| format!("ground -> pin j -> Rod rod; {first} hinge j {{ rest = 1; }}");
+    let unknown = "no hinge `jj` on a route; did you mean `j`?";
+    expect_rods(&blocks("hinge jj { stiffness = 3; }"), &[("jj", unknown)]);
+    let needs = "`rest` of hinge `j` needs `stiffness` as well; …";
+    expect_rods(&blocks("hinge jj { damping = 3; }"), &[("jj", unknown), ("rest", needs)]);
+    expect_rods(&blocks("hinge j, { stiffness = 3; }"), &[("{", "expected a name, found `{`")]);
+    expect_rods(&blocks("hinge j j { stiffness = 3; }"), &[("j", "expected `{`, found `j`")]);
+}
+
+#[test]
+fn fields_without_braces_are_no_items() {
+    expect_rods(
+        "body Bar mass = 1 kg; com = [0, 0, 0] m; point tip = [1, 0, 0] m; ground -> pin j -> Rod rod -> pin k -> Bar b;",
+        &[("mass", "expected `{`, found `mass`")],
+    );
+    expect_rods(
+        "part Leg { pin k -> Rod shin; load push on = shin; force = input; } ground -> pin j -> Rod rod -> Leg leg;",
+        &[("on", "expected `{`, found `on`")],
+    );
+}
+
+#[test]
+fn keywords_of_types_and_parts_may_be_missing() {
+    let bar = "Bar { mass = 1 kg; com = [0, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }";
+    let keyword = "write the keyword: `body Bar`";
+    let route = "ground -> pin j -> Rod rod -> pin k -> Bar b;";
+    expect_rods(&format!("{bar} {route}"), &[("Bar", keyword)]);
+    let leg = format!("part Leg {{ {bar} pin k -> Bar b; }}");
+    expect_rods(&format!("{leg} ground -> pin j -> Rod rod -> Leg leg;"), &[("Bar", keyword)]);
+    let legs = "ground -> pin j -> Rod rod -> Leg(1) leg; hinge leg.k { damping = 1; }";
+    let part = "write the keyword: `part Leg`";
+    expect_rods(&format!("Leg(c) {{ pin k -> Rod b; }} {legs}"), &[("Leg", part)]);
+    let form = "write `part Name(parameter, …) { … }`, or `part Name { … }`";
+    expect_rods(&format!("part {{ pin k -> Rod b; }} {legs}"), &[("part", form)]);
+    expect_rods(&format!("part Leg c {{ pin k -> Rod b; }} {legs}"), &[("part", form)]);
+}
+
+#[test]
+fn names_in_a_part_that_was_not_readable_may_exist() {
+    expect_rods(
+        "part Leg(a b) { pin k -> Rod shin; } ground -> pin j -> Rod rod -> Leg(1, 2) leg; \
+         hinge leg.k { damping = 1; } spring s { on = leg.shin; to = leg.shin.output; stiffness = 1; }",
+        &[("b", "expected `,`, found `b`")],
+    );
+    let leg = |route: &str| {
+        format!(
+            "part Leg {{ {route} shin.output -> pin l -> Rod foot; }} \
+             ground -> pin j -> Rod rod -> Leg leg;"
+        )
+    };
+    expect_rods(&leg("pin k Rod shin;"), &[("Rod", "expected `->` or `;`, found `Rod`")]);
+    expect_rods(&leg("pin k - Rod shin;"), &[("-", "join the items of a route by `->`")]);
+}
+
+#[test]
+fn a_point_without_a_name_may_be_any() {
+    expect_all(
+        "chain A { body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; point = [0, 0, 1] m; } \
+         ground -> pin j -> Rod rod; rod.tip -> pin k -> Rod last; }",
+        &[("point", "a point needs a name: `point name = …`")],
+    );
+}

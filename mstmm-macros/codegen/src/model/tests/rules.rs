@@ -88,3 +88,25 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
         ]
     );
 }
+
+/// The angles of an elastic hinge are singular at a right angle.
+#[test]
+fn setters_check_the_pitch_of_elastic_hinges() {
+    let (chain, _) = chain(
+        "chain Bush {
+            param tilt = 0.1 rad;
+            body Link { mass = 1 kg; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }
+            ground -> elastic e -> Link leaf;
+            hinge e {
+                stiffness = 1; turning_stiffness = 1;
+                rest = [0, 0, 0] m turned rpy(tilt, tilt, tilt);
+                start = [0, 0, 0] m turned rpy(0, 2*tilt, 0);
+            }
+        }",
+    );
+    let reasons: Vec<String> = chain.checks().into_iter().map(|check| check.reason).collect();
+    let of = |which: &str| {
+        format!("must leave the pitch angle of the {which} of hinge `e` between -90 deg and 90 deg")
+    };
+    assert_eq!(reasons, [of("start"), of("start"), of("rest"), of("rest")]);
+}
