@@ -47,12 +47,13 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
             ),
             (last.filter(|item| item.is_hinge()), "ends with a body"),
         ];
-        for (item, verdict) in wrong {
-            if let Some((at, name)) = item.and_then(called) {
-                let example = RepeatSyntax::EXAMPLE;
-                let message = format!("`repeat` {verdict}, not with {name}: {example}");
-                diagnostics.error(at, message);
-            }
+        // Both are one mistake.
+        let mut wrong =
+            wrong.into_iter().filter_map(|(item, verdict)| Some((called(item?)?, verdict)));
+        if let Some(((at, name), verdict)) = wrong.next() {
+            let example = RepeatSyntax::EXAMPLE;
+            let message = format!("`repeat` {verdict}, not with {name}: {example}");
+            diagnostics.error(at, message);
         }
     }
 }

@@ -6,11 +6,18 @@ use super::number::Measured;
 use super::unit::{self, Scale};
 use crate::syntax::UnitSyntax;
 
+impl Measured<'_> {
+    /// Returns whether it has a unit of a dimension.
+    pub fn has_unit(&self) -> bool {
+        matches!(self.measure, Measure::Of(dimension) if dimension != PhysicalDimension::default())
+    }
+}
+
 impl Context<'_> {
     /// Reports a second unit.
     pub fn expect_no_unit(&mut self, number: &Measured) -> Option<()> {
         match number.measure {
-            Measure::Of(dimension) if dimension != PhysicalDimension::default() => self.refuse(
+            Measure::Of(dimension) if number.has_unit() => self.refuse(
                 number.at,
                 format!(
                     "this expression is {} already: attach the unit to the plain numbers instead",

@@ -146,6 +146,10 @@ impl Context<'_> {
         let mut parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         if let Some((unit, resolved)) = unit {
             let (scale, dimension) = resolved?;
+            if parts.len() > 1 && parts.iter().all(Measured::has_unit) {
+                let message = format!("the numbers have units already: remove `{}`", unit.text());
+                return self.refuse(unit.extent, message);
+            }
             let bare =
                 parts.iter().map(|part| self.expect_no_unit(part)).fold(Some(()), Option::and);
             bare?;

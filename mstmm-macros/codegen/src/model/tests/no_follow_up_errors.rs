@@ -314,6 +314,20 @@ fn names_in_a_part_that_was_not_readable_may_exist() {
 }
 
 #[test]
+fn one_mistake_in_several_places_is_one_error() {
+    let unit = "the numbers have units already: remove `m`";
+    let com = "com = [0 m, 0 m, 1 m] m; mass = 1; inertia = diag(1, 1, 1) about com;";
+    expect_all(
+        &format!("chain A {{ body Rod {{ {com} }} ground -> pin j -> Rod rod; }}"),
+        &[("m", unit)],
+    );
+    let one = "this expression is a length already: …";
+    expect_body(&com.replace("0 m, 0 m", "0, 0"), &[("m", one)]);
+    let begins = "`repeat` begins with a hinge, not with body `two`: …";
+    expect_rods("ground -> repeat 2 { Rod two -> pin b } -> Rod three;", &[("two", begins)]);
+}
+
+#[test]
 fn a_point_without_a_name_may_be_any() {
     expect_all(
         "chain A { body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; point = [0, 0, 1] m; } \
