@@ -36,7 +36,6 @@ pub mod answers {
 
 pub mod equilibrium {
     #![doc(alias(
-        "equilibrium",
         "trim",
         "trim condition",
         "operating point",
