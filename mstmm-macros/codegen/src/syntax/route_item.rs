@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::lookahead::name;
+use super::lookahead::{begins_field, name};
 use super::route_tree::RouteItemSyntax;
 use super::tree::{ArgumentsSyntax, ValueSyntax};
 use super::value;
@@ -39,7 +39,7 @@ pub(super) fn route_item(
     if word == "at" && input.peek_group(Delimiter::Bracket) {
         return Err(Error::new(word.span(), "write `ground` before the position: `ground at …`"));
     }
-    let mut arguments = arguments(input)?;
+    let mut arguments = arguments(&word, input)?;
     let has_brackets = input.peek_group(Delimiter::Bracket);
     if arguments.is_none() && (has_brackets || begins_hinge(&word)) && is_misplaced(input) {
         return misplaced(&word, input, diagnostics);
@@ -62,11 +62,38 @@ pub(super) fn route_item(
     }
     let arguments_text = inside(input);
     let at = input.next_span();
-    if let (None, Some(name), Some(after_name)) = (&arguments, &name, self::arguments(input)?) {
+    if let (None, Some(name), Some(after_name)) =
+        (&arguments, &name, self::arguments(&word, input)?)
+    {
         diagnostics.error(at, format!("write `{word}({arguments_text}) {name}`"));
         arguments = Some(after_name);
     }
+    if begins_hinge(&word) && skip_fields(name.as_ref(), input, diagnostics) && name.is_none() {
+        return Ok(RouteItemSyntax::Unread { name });
+    }
     Ok(RouteItemSyntax::Element { word, arguments, name, place, after_error: false })
+}
+
+/// Reports the fields of a hinge on the route and skips them. Returns whether there are any.
+fn skip_fields(name: Option<&Ident>, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+    let mut ahead = *input;
+    let at = ahead.next_span();
+    let Some((inside, _)) = ahead.group(Delimiter::Brace) else { return false };
+    let is_argument = |word: Ident| NOT_FIELDS.iter().any(|other| word == other);
+    let has_fields = begins_field(&inside) && !inside.peek_ident().is_some_and(is_argument);
+    if has_fields {
+        diagnostics.error(at, after_the_route(name, "…"));
+        *input = ahead;
+    }
+    has_fields
+}
+
+/// Returns the message for fields of a hinge on the route.
+fn after_the_route(name: Option<&Ident>, fields: &str) -> String {
+    let name = name.map_or_else(|| "name".to_owned(), ToString::to_string);
+    format!(
+        "the fields of a hinge are not on the route: write `hinge {name} {{ {fields} }}` after it"
+    )
 }
 
 /// Reports `=` or `:` before the name of a moving end.
@@ -106,12 +133,22 @@ fn no_place(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<()> {
 pub(super) const MOVING_HAS_NO_PLACE: &str = "a moving end has no position: its motion is an input";
 
 /// Parses the arguments in parentheses, if there are any.
-fn arguments(input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {
+fn arguments(word: &Ident, input: &mut Cursor) -> Result<Option<ArgumentsSyntax>> {
     match input.group(Delimiter::Parenthesis) {
         None => Ok(None),
-        Some((inside, extent)) => Ok(Some(ArgumentsSyntax { values: values(inside)?, extent })),
+        Some((inside, extent)) => {
+            let name = input.peek_ident();
+            let values = values(inside, |field| {
+                let is_field = begins_hinge(word) && NOT_FIELDS.iter().all(|other| field != other);
+                is_field.then(|| after_the_route(name.as_ref(), &format!("{field} = …;")))
+            })?;
+            Ok(Some(ArgumentsSyntax { values, extent }))
+        }
     }
 }
+
+/// Names of arguments in other programs that are not fields of a hinge.
+const NOT_FIELDS: [&str; 5] = ["axis", "direction", "normal", "pitch", "name"];
 
 /// Returns whether a word looks like the kind of a hinge.
 fn begins_hinge(word: &Ident) -> bool {
@@ -131,6 +168,9 @@ fn misplaced(
     input: &mut Cursor,
     diagnostics: &mut Diagnostics,
 ) -> Result<RouteItemSyntax> {
+    if skip_fields(None, input, diagnostics) {
+        return Ok(RouteItemSyntax::Unread { name: name(input) });
+    }
     let at = input.next_span();
     let mut arguments_text = inside(input);
     if input.punct('<').is_some() {
@@ -164,12 +204,17 @@ fn inside(input: &Cursor) -> String {
     }
 }
 
-fn values(mut inside: Cursor) -> Result<Vec<ValueSyntax>> {
+/// Parses arguments. `other` returns the message for a name that is not the name of an argument.
+fn values(
+    mut inside: Cursor,
+    other: impl Fn(&Ident) -> Option<String>,
+) -> Result<Vec<ValueSyntax>> {
     let mut values = Vec::new();
     while !inside.is_empty() {
         let mut ahead = inside;
         if let Some(name) = ahead.ident().filter(|_| ahead.peek_punct('=')) {
-            let message = format!("arguments have no names: remove `{name} =`");
+            let message = other(&name)
+                .unwrap_or_else(|| format!("arguments have no names: remove `{name} =`"));
             return Err(Error::new(name.span(), message));
         }
         values.push(value::value(&mut inside)?);

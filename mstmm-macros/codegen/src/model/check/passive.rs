@@ -7,13 +7,13 @@ use crate::model::rules::{LARGEST_ANGLE, PASSIVE, PassiveRule, WIDTH};
 use crate::model::{DofGroup, Passive, Representation};
 use crate::syntax::{FieldSyntax, SpanRange, ValueSyntax};
 
-/// Fields that need another field.
-const NEEDED: &[(FieldName, FieldName)] = &[
-    (|names| names.friction, |names| names.friction_speed),
-    (|names| names.limits, |names| names.limit_stiffness),
-    (|names| names.friction_speed, |names| names.friction),
-    (|names| names.limit_stiffness, |names| names.limits),
-    (|names| names.limit_damping, |names| names.limits),
+/// Fields that need another field, with usual values of this field for translations and for rotations.
+const NEEDED: &[(FieldName, FieldName, Option<[&str; 2]>)] = &[
+    (|names| names.friction, |names| names.friction_speed, Some(["1 mm/s", "0.01 rad/s"])),
+    (|names| names.limits, |names| names.limit_stiffness, Some(["100 N/mm", "100 N*m/deg"])),
+    (|names| names.friction_speed, |names| names.friction, None),
+    (|names| names.limit_stiffness, |names| names.limits, None),
+    (|names| names.limit_damping, |names| names.limits, None),
 ];
 
 /// The message for a limit of an angle that is measured by the shorter way.
@@ -25,6 +25,7 @@ type FieldName = fn(&FieldNames) -> &'static str;
 struct PassiveGroup<'d> {
     fields: &'d Fields<'d>,
     names: &'static FieldNames,
+    rotational: bool,
     representation: Representation,
     passive: &'d [Passive],
 }
@@ -38,7 +39,8 @@ fn all_groups<'d>(draft: &'d Draft) -> impl Iterator<Item = PassiveGroup<'d>> {
     hinges.flat_map(|(spec, fields, motion)| {
         groups(spec).map(move |(group, names)| {
             let passive = &motion.passive[group.rates.clone()];
-            PassiveGroup { fields, names, representation: group.representation, passive }
+            let DofGroup { rotational, representation, .. } = *group;
+            PassiveGroup { fields, names, rotational, representation, passive }
         })
     })
 }
@@ -65,14 +67,17 @@ impl<'d> Once<'d> {
 /// Reports friction without the speed that smooths it, limits without a stiffness, and the reverse.
 pub(super) fn friction_and_limits_are_complete(draft: &Draft, diagnostics: &mut Diagnostics) {
     let mut once = Once::default();
-    for PassiveGroup { fields, names, .. } in all_groups(draft) {
-        for (present, needed) in NEEDED {
+    for PassiveGroup { fields, names, rotational, .. } in all_groups(draft) {
+        for (present, needed, usual) in NEEDED {
             let needed = needed(names);
             if let Some(field) = fields.get(present(names))
                 && fields.lacks(needed)
                 && once.is_new(field, 0)
             {
-                let message = format!("`{}` needs `{needed}` as well", field.name);
+                let usual = usual.map(|usual| usual[usize::from(rotational)]);
+                let such_as = usual.map(|usual| format!(", such as `{needed} = {usual}`"));
+                let such_as = such_as.unwrap_or_default();
+                let message = format!("`{}` needs `{needed}` as well{such_as}", field.name);
                 diagnostics.error(field.name.span(), message);
             }
         }
@@ -152,7 +157,7 @@ fn entry(field: &FieldSyntax, strain: usize) -> Option<(usize, SpanRange)> {
 pub(super) fn limits_are_in_order(draft: &Draft) -> Vec<Requirement> {
     let mut once = Once::default();
     let mut requirements = Vec::new();
-    for PassiveGroup { fields, names, representation, passive } in all_groups(draft) {
+    for PassiveGroup { fields, names, representation, passive, .. } in all_groups(draft) {
         let limits = passive.first().and_then(|passive| passive.limits.as_ref());
         if let (Some(field), Some(limits)) = (fields.get(names.limits), limits)
             && let Some(syntax) = &field.value

@@ -16,12 +16,16 @@ pub(super) fn requests_fit_closed_chains(draft: &Draft, diagnostics: &mut Diagno
         if is_for_open_chains(request.value) {
             let word = word_of(request.value);
             let message = format!(
-                "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free"
+                "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free; its \
+                 derivatives are those by `Dual` numbers as scalars, and its answers are `{CLOSED}`"
             );
             diagnostics.error_over(request.at, message);
         }
     }
 }
+
+/// The answers of a closed chain, for a message.
+const CLOSED: &str = "[basic, momentum, regressor]";
 
 fn is_for_open_chains(request: Request) -> bool {
     match request {

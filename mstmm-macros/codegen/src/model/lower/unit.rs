@@ -132,6 +132,8 @@ const NAMES: &[(&str, &str)] = &[
     ("minute", "min"),
     ("hour", "h"),
     ("newton", "N"),
+    ("newtonmeter", "N*m"),
+    ("newtonmetre", "N*m"),
     ("joule", "J"),
     ("watt", "W"),
     ("pascal", "Pa"),
@@ -141,6 +143,17 @@ const NAMES: &[(&str, &str)] = &[
     ("radian", "rad"),
     ("turn", "rev"),
     ("revolution", "rev"),
+];
+
+/// Names of prefixes and their symbols.
+const PREFIX_NAMES: &[(&str, &str)] = &[
+    ("kilo", "k"),
+    ("milli", "m"),
+    ("centi", "c"),
+    ("mega", "M"),
+    ("micro", "u"),
+    ("nano", "n"),
+    ("deci", "d"),
 ];
 
 /// Symbols that are often written together without `*`.
@@ -192,8 +205,8 @@ fn product(symbol: &str) -> Option<String> {
 fn meant(symbol: &str) -> Option<String> {
     let word = symbol.to_lowercase();
     let singular = word.strip_suffix('s').unwrap_or(&word);
-    if let Some((_, symbol)) = NAMES.iter().find(|(name, _)| *name == word || *name == singular) {
-        return Some((*symbol).to_owned());
+    if let Some(symbol) = named(&word).or_else(|| named(singular)) {
+        return Some(symbol);
     }
     let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
         SYMBOLS.iter().filter(|unit| unit.takes_prefix).map(move |unit| [*prefix, unit.symbol])
@@ -202,6 +215,19 @@ fn meant(symbol: &str) -> Option<String> {
     let symbols: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
     let near = nearest(symbol, symbols.iter().map(String::as_str))?;
     (symbol.len() > 2 || near.to_lowercase() == word).then(|| near.to_owned())
+}
+
+/// Returns the symbol of a unit that is written out: `mm` for `millimeter`.
+fn named(word: &str) -> Option<String> {
+    let symbol_of = |word: &str| NAMES.iter().find(|(name, _)| *name == word);
+    if let Some((_, symbol)) = symbol_of(word) {
+        return Some((*symbol).to_owned());
+    }
+    PREFIX_NAMES.iter().find_map(|(name, prefix)| {
+        let (_, symbol) = symbol_of(word.strip_prefix(name)?)?;
+        let symbol = format!("{prefix}{symbol}");
+        is_symbol(&symbol).then_some(symbol)
+    })
 }
 
 /// Returns the message for a symbol with another usual meaning.
@@ -252,6 +278,14 @@ mod tests {
             ("degrees", "deg"),
             ("tonne", "t"),
             ("meters", "m"),
+            ("millimeter", "mm"),
+            ("Kilometres", "km"),
+            ("centimetre", "cm"),
+            ("milliseconds", "ms"),
+            ("kilonewton", "kN"),
+            ("megapascal", "MPa"),
+            ("micrograms", "ug"),
+            ("newtonmeters", "N*m"),
         ] {
             assert_eq!(hint(symbol), format!("; did you mean `{meant}`?"));
         }

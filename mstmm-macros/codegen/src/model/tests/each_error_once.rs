@@ -62,9 +62,9 @@ fn a_missing_field_hides_no_wrong_one() {
         "pin",
         "limits = [3, 1]; friction = -1;",
         &[
-            ("limits", "`limits` needs `limit_stiffness` as well"),
+            ("limits", "`limits` needs `limit_stiffness` as well, …"),
             ("[3, 1]", "… must be less than the second"),
-            ("friction", "`friction` needs `friction_speed` as well"),
+            ("friction", "`friction` needs `friction_speed` as well, …"),
             ("-1", "friction cannot be negative"),
         ],
     );

@@ -16,6 +16,13 @@ fn expect_hinge(kind: &str, properties: &str, errors: &[(&str, &str)]) {
 fn parentheses_contain_what_a_kind_needs() {
     expect_hinge("slider(x, y)", "", &[("(x, y)", "a slider has one axis, such as `slider(x)`")]);
     expect_hinge(
+        "pin(0, 1, 0)",
+        "",
+        &[("(0, 1, 0)", "write an axis in brackets: `pin([0, 1, 0])`")],
+    );
+    expect_hinge("slider(0.6, 0, -0.8)", "", &[("(0.6, 0, -0.8)", "… `slider([0.6, 0, -0.8])`")]);
+    expect_hinge("cylindrical(0, 1, 1)", "", &[("(0, 1, 1)", "… `cylindrical([0, 1, 1])`")]);
+    expect_hinge(
         "screw(x, y, z)",
         "",
         &[("(x, y, z)", "a screw has an axis and a pitch, such as `screw(z, 5 mm/rev)`")],
@@ -156,12 +163,23 @@ fn friction_and_limits_are_complete() {
     expect_hinge(
         "floating",
         "turning_limits = 1;",
-        &[("turning_limits", "`turning_limits` needs `turning_limit_stiffness` as well")],
+        &[(
+            "turning_limits",
+            "`turning_limits` needs `turning_limit_stiffness` as well, such as `turning_limit_stiffness = 100 N*m/deg`",
+        )],
     );
     expect_hinge(
         "ball",
         "limit_damping = 1;",
         &[("limit_damping", "`limit_damping` needs `limits` as well")],
+    );
+    expect_hinge(
+        "slider",
+        "friction = 1; limits = [0, 1];",
+        &[
+            ("friction", "`friction` needs `friction_speed` as well, … = 1 mm/s`"),
+            ("limits", "`limits` needs `limit_stiffness` as well, … = 100 N/mm`"),
+        ],
     );
     // A misspelt one is not missed.
     expect_hinge(
@@ -333,7 +351,7 @@ fn passive_numbers_give_no_energy() {
         "hinge shoulder, wrist { damping = -1; friction = 2; } hinge wrist {",
         &[
             ("-1", "a damping cannot be negative"),
-            ("friction", "`friction` needs `friction_speed` as well"),
+            ("friction", "`friction` needs `friction_speed` as well, … = 0.01 rad/s`"),
         ],
     );
 }

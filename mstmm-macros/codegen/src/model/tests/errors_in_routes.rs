@@ -293,3 +293,19 @@ fn moving_ends_have_no_place() {
         &[("moving", message)],
     );
 }
+
+#[test]
+fn fields_of_a_hinge_are_after_the_route() {
+    let rest = "Rod rod;";
+    let message = "the fields of a hinge are not on the route: write `hinge a { … }` after it";
+    let block = "{ damping = 1; torque = input; }";
+    expect_rods(&format!("ground -> pin(y) a {block} -> {rest}"), &[(block, message)]);
+    expect_rods(&format!("ground -> ball a {block} -> {rest}"), &[(block, message)]);
+    let unnamed = "… `hinge name { … }` …";
+    expect_rods(&format!("ground -> pin(y) {block} -> {rest}"), &[(block, unnamed)]);
+    expect_rods(&format!("ground -> pin {block} a -> {rest}"), &[(block, unnamed)]);
+    let argument = "… `hinge a { damping = …; }` …";
+    expect_rods(&format!("ground -> pin(y, damping = 1) a -> {rest}"), &[("damping", argument)]);
+    let axis = "arguments have no names: remove `axis =`";
+    expect_rods(&format!("ground -> pin(axis = y) a -> {rest}"), &[("axis", axis)]);
+}

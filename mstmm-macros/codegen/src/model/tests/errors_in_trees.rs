@@ -325,7 +325,8 @@ fn blocks_name_paths() {
 fn derivatives_are_for_open_chains() {
     let message = |word: &str| {
         format!(
-            "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free"
+            "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free; its \
+             derivatives are those by `Dual` numbers as scalars, and its answers are `[basic, momentum, regressor]`"
         )
     };
     let text = format!(

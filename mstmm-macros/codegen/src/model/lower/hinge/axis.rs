@@ -4,7 +4,7 @@ use crate::model::lower::context::Context;
 use crate::model::lower::dimension::NUMBER;
 use crate::model::lower::vector::zeros;
 use crate::model::{Dimension, Value, length};
-use crate::syntax::{ExprKind, ExprSyntax, ValueSyntax};
+use crate::syntax::{ArgumentsSyntax, ExprKind, ExprSyntax, ValueSyntax};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -31,6 +31,42 @@ fn word(syntax: &ValueSyntax) -> Option<(f64, usize)> {
 /// Whether this is an axis, right or wrong.
 pub(super) fn is_axis(syntax: &ValueSyntax) -> bool {
     matches!(syntax, ValueSyntax::Vector(_)) || word(syntax).is_some()
+}
+
+/// Returns the only argument of a hinge, its axis. A vector without brackets is reported with them, other arguments with
+/// the message.
+pub(super) fn only<'a>(
+    word: &str,
+    arguments: &'a ArgumentsSyntax,
+    context: &mut Context,
+    message: &str,
+) -> Option<&'a ValueSyntax> {
+    let values = &arguments.values[..];
+    if let [syntax] = values {
+        return Some(syntax);
+    }
+    let numbers: Option<Vec<String>> = values.iter().map(literal).collect();
+    let is_vector = values.len() == context.space.translations().len();
+    match numbers.filter(|_| is_vector) {
+        Some(numbers) => {
+            let message = format!("write an axis in brackets: `{word}([{}])`", numbers.join(", "));
+            context.refuse(arguments.extent, message)
+        }
+        None => context.refuse(arguments.extent, message),
+    }
+}
+
+/// Returns the text of a number without a unit.
+fn literal(syntax: &ValueSyntax) -> Option<String> {
+    let ValueSyntax::Number(expr) = syntax else { return None };
+    match &expr.kind {
+        ExprKind::Number(value) => Some(value.to_string()),
+        ExprKind::Negated(inner) => match inner.kind {
+            ExprKind::Number(value) => Some(format!("-{value}")),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// An axis: a word or a vector. In a plane chain it lies in the plane.

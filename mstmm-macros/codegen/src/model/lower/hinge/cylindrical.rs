@@ -1,6 +1,6 @@
 //! `cylindrical(z) name`: translation along and rotation about the same axis.
 
-use super::axis::{axis, unit};
+use super::axis::{axis, only, unit};
 use super::{ArgumentRule, Kind};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
@@ -18,9 +18,7 @@ fn plain(space: Dimension) -> Option<HingeKind> {
 }
 
 fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind> {
-    let [syntax] = &arguments.values[..] else {
-        let message = "a cylindrical hinge has one axis, such as `cylindrical(z)`";
-        return context.refuse(arguments.extent, message);
-    };
+    let message = "a cylindrical hinge has one axis, such as `cylindrical(z)`";
+    let syntax = only("cylindrical", arguments, context, message)?;
     axis(syntax, context).map(|axis| HingeKind::Cylindrical { axis })
 }

@@ -1,6 +1,6 @@
 //! `pin(z) name`: rotation about an axis.
 
-use super::axis::{axis, unit};
+use super::axis::{axis, only, unit};
 use super::{ArgumentRule, Kind};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
@@ -19,8 +19,6 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
         let message = "a pin of a plane chain rotates about z: write `pin` without an axis";
         return context.refuse(arguments.extent, message);
     }
-    let [syntax] = &arguments.values[..] else {
-        return context.refuse(arguments.extent, "a pin has one axis, such as `pin(z)`");
-    };
+    let syntax = only("pin", arguments, context, "a pin has one axis, such as `pin(z)`")?;
     axis(syntax, context).map(|axis| HingeKind::Pin { axis })
 }

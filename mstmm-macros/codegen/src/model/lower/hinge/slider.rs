@@ -1,6 +1,6 @@
 //! `slider(x) name`: translation along an axis.
 
-use super::axis::{axis, unit};
+use super::axis::{axis, only, unit};
 use super::{ArgumentRule, Kind, nothing};
 use crate::model::lower::context::Context;
 use crate::model::{Dimension, HingeKind};
@@ -22,8 +22,6 @@ fn read(arguments: &ArgumentsSyntax, context: &mut Context) -> Option<HingeKind>
     if context.space == Dimension::Line {
         return nothing("slider", arguments, context);
     }
-    let [syntax] = &arguments.values[..] else {
-        return context.refuse(arguments.extent, "a slider has one axis, such as `slider(x)`");
-    };
+    let syntax = only("slider", arguments, context, "a slider has one axis, such as `slider(x)`")?;
     axis(syntax, context).map(|axis| HingeKind::Slider { axis })
 }
