@@ -47,7 +47,7 @@ macro_rules! mstmm_chain {
 /// What most programs need: the macro, the integrators and the traits that they work on.
 pub mod prelude {
     pub use crate::{
-        Chain, ChainState, Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler,
-        mstmm_chain,
+        Chain, ChainState, Described, Dopri5, GeneratedChain, LinearlyImplicitEuler, Newmark, Rk4,
+        SemiImplicitEuler, mstmm_chain,
     };
 }
