@@ -18,8 +18,8 @@ fn errors_are_reported_at_their_tokens() {
 
 /// Tests that cases are only macro calls: a message about other code would not help the user. Four folders have programs
 /// instead. Those in `quiet` use wrong chains, about which rustc must report nothing more (see `emit/error_types.rs`); those in
-/// `reading` read what a chain does not have; those in `writing` write what only setters change; those in `warnings`
-/// deny warnings, which the tests would not show otherwise.
+/// `reading` read what a chain does not have, or have a state in the place of a chain; those in `writing` write what only
+/// setters change; those in `warnings` deny warnings, which the tests would not show otherwise.
 #[test]
 fn cases_are_only_macro_calls() {
     let folders = ["quiet", "reading", "writing", "warnings"];

@@ -49,6 +49,11 @@ pub trait ChainState: Clone + Default {
 /// A mechanical system that can be integrated in time.
 ///
 /// `mstmm_chain!` implements it for the chains it generates.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a chain: the chain comes first, then the state",
+    label = "expected a chain",
+    note = "write `rk4.advance_to(&chain, &mut state, …)`, and other functions of a chain and a state in this order"
+)]
 pub trait Chain {
     /// The scalar type of the chain.
     type Scalar: Scalar;
@@ -177,6 +182,10 @@ pub trait Chain {
 /// every element, which is the input of the next one. In a tree each element adds its input, if no earlier element has
 /// this point, and its output; the named points of a body that hinges leave follow its output. A hinge that leaves a
 /// place together with other hinges, or the input of a body, has a separate input.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a chain of `mstmm_chain!`: the chain comes first, then the state",
+    label = "expected a chain of `mstmm_chain!`"
+)]
 pub trait GeneratedChain: Chain {
     /// The results of [`solve_into`](Self::solve_into).
     type Workspace;

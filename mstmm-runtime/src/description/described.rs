@@ -24,6 +24,10 @@ use crate::{ChainState, Energy, Error, GeneratedChain, SpringResult, displacemen
 ///     }
 /// }
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a chain of `mstmm_chain!`: the chain comes first, then the state",
+    label = "expected a chain of `mstmm_chain!`"
+)]
 pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     /// The description.
     const DESCRIPTION: &'static Description;
