@@ -201,9 +201,9 @@ fn loads_act_at_points_of_bodies() {
         &[("tip", "write points in the block of a body type, before the route")],
     );
     let after = |fields: &str| format!("ground -> pin(z) j -> Rod rod; body {fields}");
-    let before = "write the block of a body type before the route";
+    let before = "write the block of a body type …";
     expect_rods(&after("Bar { mass = 1; point tip = [1, 0, 0]; }"), &[("Bar", before)]);
-    let of_type = "`rod` is a body of type `Rod`: …";
+    let of_type = "`rod` is a body of type `Rod`: write what describes the type in `body Rod { … }`, before the route";
     expect_rods(&after("rod { point tip = [1, 0, 0]; }"), &[("rod", of_type)]);
     expect_rods(&after("rod { mass = 1; }"), &[("rod", of_type)]);
 }

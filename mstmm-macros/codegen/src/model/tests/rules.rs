@@ -89,6 +89,25 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
     );
 }
 
+/// No angle of a quaternion exceeds half a turn.
+#[test]
+fn setters_check_the_limits_of_balls() {
+    let (chain, _) = chain(
+        "chain Wrist {
+            param widest = 1 rad;
+            body Link { mass = 1 kg; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }
+            ground -> ball joint -> Link leaf;
+            hinge joint { limits = widest; limit_stiffness = 1; }
+        }",
+    );
+    let reasons: Vec<String> = chain.checks().into_iter().map(|check| check.reason).collect();
+    let expected = [
+        "must leave the width of the limits of hinge `joint` positive",
+        "must not leave the limits of hinge `joint` above 180 deg",
+    ];
+    assert_eq!(reasons, expected);
+}
+
 /// The angles of an elastic hinge are singular at a right angle.
 #[test]
 fn setters_check_the_pitch_of_elastic_hinges() {
