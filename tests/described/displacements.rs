@@ -81,6 +81,41 @@ fn displacements_are_those_of_the_rates() {
     check(&Leaf::<f64>::new());
 }
 
+mstmm::mstmm_chain! {
+    /// Two rods on balls with springs, and a plate on an elastic hinge, which gravity bends.
+    chain Mobile {
+        gravity = [0, 0, -9.81] m/s^2;
+        answers = linearize;
+        body Rod {
+            mass = 1 kg; com = [0.2, 0.05, 0] m; output = [0.4, 0, 0.1] m; inertia = diag(0.01, 0.02, 0.02) kg*m^2 about com;
+        }
+        ground -> ball a -> Rod one -> elastic b -> Rod two -> ball c -> Rod three;
+        hinge a, c { stiffness = 8 N*m/rad; }
+        hinge b { stiffness = 200 N/m; turning_stiffness = 20 N*m/rad; }
+    }
+}
+
+/// Displacements are the δ of a linearisation: Newton's method with them converges quadratically to an equilibrium.
+#[test]
+fn newtons_method_finds_an_equilibrium_by_displacements() -> Result<(), mstmm::Error> {
+    let chain = Mobile::<f64>::new();
+    let (mut state, inputs) = (chain.initial_state(), chain.no_inputs());
+    let mut sizes = Vec::new();
+    for _ in 0..12 {
+        let linear = chain.linearize(&state, &inputs)?;
+        let step = linear.by_coordinates.lu().solve(&linear.accelerations).expect("stiff springs");
+        sizes.push(step.amax());
+        assert_eq!(Mobile::displace(&mut state, (-step).as_slice()), Some(()));
+    }
+    assert!(sizes[0] > 0.1, "{sizes:?}");
+    let last = sizes.iter().position(|&size| size < 1e-4).expect("it converges");
+    // The square of 1e-4, times second derivatives of about 10.
+    assert!(last < 10 && sizes[last + 1] < 1e-6 && sizes[last + 2] < 1e-11, "{sizes:?}");
+    // Stiffness over inertia is about 1e4 per s², times rounding.
+    assert!(chain.accelerations(&state, &inputs)?.amax() < 1e-10);
+    Ok(())
+}
+
 /// The shorter way, for both quaternions of a rotation; no division by zero without a rotation.
 #[test]
 fn displacements_go_the_shorter_way() {
