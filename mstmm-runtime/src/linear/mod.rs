@@ -13,6 +13,10 @@
 //! of operations has a bound. N is the number of rates of a chain, U is the number of its inputs, X = 2 N is the number of its states.
 //! Matrices are those of nalgebra. Errors are reported instead of results that are not finite.
 //!
+//! The state x of a linear model is the displacement from the reference along the rates, followed by the change of the
+//! rates. In a chain with quaternions, [`Described::displacement_to_slice`](crate::Described::displacement_to_slice)
+//! computes the displacement.
+//!
 //! # Example
 //!
 //! A cart with a pole is balanced by a controller that samples at 50 Hz. [`Linearize`] is implemented here by hand.
