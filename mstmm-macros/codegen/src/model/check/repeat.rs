@@ -47,7 +47,7 @@ pub(super) fn repeats_begin_with_a_hinge_and_end_with_a_body(
             ),
             (last.filter(|item| item.is_hinge()), "ends with a body"),
         ];
-        // Both are one mistake.
+        // Both are one error.
         let mut wrong =
             wrong.into_iter().filter_map(|(item, verdict)| Some((called(item?)?, verdict)));
         if let Some(((at, name), verdict)) = wrong.next() {
