@@ -120,10 +120,11 @@ impl<C: Chain> Dopri5<C> {
     ) -> Result<(), Failure<X>> {
         let [a, b] = &self.steps;
         let start = if self.second { b } else { a }.start.time().max_lane();
+        let mut cause = Error::StepTooSmall;
         loop {
             let end = end_of_step(start, self.control.proposal(start), limit);
             if end == start {
-                return Err(Error::StepTooSmall.into());
+                return Err(cause.into());
             }
             let size = (end - start).abs();
             let outcome = match self.attempt(chain, inputs, end) {
@@ -143,10 +144,11 @@ impl<C: Chain> Dopri5<C> {
             }
             self.statistics.rejected = self.statistics.rejected.saturating_add(1);
             let error = outcome.map_or(Real::<C>::constant(f64::INFINITY), |(error, _)| error);
-            self.control.reject(start, size, error).map_err(|too_small| match outcome {
-                Ok(_) | Err(Error::NotFinite(_)) => too_small,
+            cause = match outcome {
+                Ok(_) | Err(Error::NotFinite(_)) => Error::StepTooSmall,
                 Err(other) => other,
-            })?;
+            };
+            self.control.reject(start, size, error).map_err(|_| cause)?;
         }
     }
 
