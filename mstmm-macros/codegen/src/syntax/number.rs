@@ -18,9 +18,6 @@ const LONGEST_LITERAL: usize = 100;
 /// The largest count of a `repeat`.
 const MOST_TIMES: usize = 10_000_000;
 
-/// The message for powers as other languages write them.
-pub(super) const POWERS: &str = "write powers with `^`";
-
 /// The message for numbers before or after a vector.
 pub(super) const INSIDE: &str = "write signs and factors inside the brackets";
 
@@ -75,7 +72,7 @@ fn product(input: &mut Cursor) -> Result<ExprSyntax> {
             None => unit::optional(input)?,
         };
         if unit.is_none() && input.peek_pair('*', '*') {
-            return Err(Error::new(input.next_span(), POWERS));
+            return Err(Error::new(input.next_span(), unit::POWERS));
         }
         if unit.is_some() || !(input.peek_punct('*') || input.peek_punct('/')) {
             break unit;
@@ -104,7 +101,7 @@ fn factors_extent(start: SpanRange, factors: &[FactorSyntax]) -> SpanRange {
 /// Reports a factor after a unit: in `2 kg * 3` the unit would seem to be multiplied.
 fn check_closed(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     if input.peek_pair('*', '*') {
-        return Err(Error::new(input.next_span(), POWERS));
+        return Err(Error::new(input.next_span(), unit::POWERS));
     }
     let sign = match (input.peek_punct('*'), input.peek_punct('/')) {
         (true, _) => '*',

@@ -5,12 +5,14 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::lookahead;
-use super::number::POWERS;
 use super::other_programs::TURNED;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
 /// Words that may follow a number and are no units.
 const NOT_UNITS: &[&str] = &["about", "turned", "at", "point"];
+
+/// The message for powers as other languages write them.
+pub(super) const POWERS: &str = "write powers with `^`";
 
 /// The maximum power; larger ones are typing errors.
 const HIGHEST_POWER: i32 = 9;
