@@ -108,7 +108,6 @@ extern crate std;
 mod body;
 mod chain;
 pub mod description;
-mod displacement;
 mod dual;
 mod energy;
 mod error;

@@ -1,5 +1,6 @@
 //! The trait of chains that describe themselves.
 
+use super::displacement;
 use super::geometry::{WrittenVectors, direction};
 use super::origin;
 use super::results::{Arrays, spring, spring_len};
@@ -8,7 +9,7 @@ use super::{
     BodyInertia, Description, Dimension, HingeAxis, PointResult, Spring, SpringEnd, WrittenInertia,
 };
 use crate::origin::Origin;
-use crate::{ChainState, Energy, Error, GeneratedChain, SpringResult, displacement};
+use crate::{ChainState, Energy, Error, GeneratedChain, SpringResult};
 
 /// A chain that describes itself at run time. `mstmm_chain!` implements it for all chains.
 ///

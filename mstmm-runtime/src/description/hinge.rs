@@ -57,15 +57,15 @@ impl Dofs {
         self.kinds[0] != QuantityKind::Length
     }
 
-    pub(crate) fn has_quaternion(&self) -> bool {
+    pub(super) fn has_quaternion(&self) -> bool {
         self.kinds[0] == QuantityKind::Quaternion
     }
 
-    pub(crate) fn coordinate_count(&self) -> usize {
+    pub(super) fn coordinate_count(&self) -> usize {
         self.count(0)
     }
 
-    pub(crate) fn rate_count(&self) -> usize {
+    pub(super) fn rate_count(&self) -> usize {
         self.count(1)
     }
 
@@ -185,7 +185,7 @@ impl Hinge {
     }
 
     /// Returns whether its displacement is along axes that its angles turn.
-    pub(crate) fn is_elastic(&self) -> bool {
+    pub(super) fn is_elastic(&self) -> bool {
         self.shape.keyword == "elastic"
     }
 

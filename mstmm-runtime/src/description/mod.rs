@@ -37,6 +37,7 @@
 mod answers;
 mod body;
 mod described;
+mod displacement;
 mod geometry;
 mod hinge;
 mod items;

@@ -4,11 +4,11 @@
 //! components, `δ` displacement: that of `p`, then the rotation vector `ρ` of `R₀ᵀ R₁`, in outboard components. Other
 //! translations and angles are their own displacements.
 
+use super::hinge::{Dofs, Hinge};
 use crate::Scalar;
-use crate::description::{Dofs, Hinge};
 
 /// Sets the displacement of a hinge from the coordinates `from` to the coordinates `to`.
-pub(crate) fn between<T: Scalar>(hinge: &Hinge, [from, to]: [&[T]; 2], displacement: &mut [T]) {
+pub(super) fn between<T: Scalar>(hinge: &Hinge, [from, to]: [&[T]; 2], displacement: &mut [T]) {
     let poses = [from, to].map(|q| Pose::of(hinge, q));
     if let [Some(from), Some(to)] = poses {
         copy(displacement, &from.displacement_to(&to));
@@ -29,7 +29,7 @@ pub(crate) fn between<T: Scalar>(hinge: &Hinge, [from, to]: [&[T]; 2], displacem
 }
 
 /// Displaces the coordinates of a hinge.
-pub(crate) fn displace<T: Scalar>(hinge: &Hinge, q: &mut [T], displacement: &[T]) {
+pub(super) fn displace<T: Scalar>(hinge: &Hinge, q: &mut [T], displacement: &[T]) {
     if let Some(pose) = Pose::of(hinge, q) {
         pose.displaced(displacement).store(q);
         return;
