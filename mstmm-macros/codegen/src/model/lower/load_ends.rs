@@ -180,7 +180,7 @@ impl LoadTarget<'_, '_> {
         if context.space == Dimension::Line {
             return context.read_vector(syntax, LENGTH).map(Some);
         }
-        // The unknown field is reported already.
+        // It is reported already.
         if body_type.may_have_point(word) {
             return Some(None);
         }
