@@ -25,6 +25,14 @@ pub mod frames {}
 ))]
 #[doc(alias("dccrba", "computeCentroidalMapTimeVariation"))]
 #[doc(alias("DH", "Denavit-Hartenberg", "DH parameters", "DH table", "modified DH", "Craig"))]
+#[doc(alias(
+    "TSDA",
+    "linear actuator",
+    "tendon actuator",
+    "hydraulic cylinder",
+    "gas spring",
+    "muscle"
+))]
 pub mod terms {}
 
 pub mod hinges;

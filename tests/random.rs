@@ -126,6 +126,8 @@ fn the_seeds_have_everything() {
         ("constant force", loads().any(|load| matches!(load.force, Source::Constant(_)))),
         ("spring without length", springs().any(|spring| spring.length == 0.0)),
         ("spring with length", springs().any(|spring| spring.length > 0.0)),
+        ("actuator", springs().any(|spring| spring.force == Source::Input)),
+        ("constant actuator", springs().any(|it| matches!(it.force, Source::Constant(_)))),
     ]
     .into_iter()
     .filter(|(_, there)| !there)

@@ -1,6 +1,9 @@
 //! Springs, limits and rotors of every kind of hinge conserve energy; dampers and friction dissipate the
 //! power given by their rates. Exact, by dual numbers.
 
+mod springs {
+    mod actuators;
+}
 mod support;
 
 use mstmm::nalgebra::{Vector2, Vector3};

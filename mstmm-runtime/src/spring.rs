@@ -1,6 +1,6 @@
 //! Results at springs.
 
-/// The state of one spring with its damper: length, tension and force.
+/// The state of one spring with its damper and its actuator: length, tension and force.
 ///
 /// `V` is a vector with the components of the chain's dimension, in a line chain a scalar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,9 @@ impl<T: Copy, V: Copy> SpringResult<T, V> {
         self.length_rate
     }
 
-    /// Returns the tension k (l − l₀) + c l̇ in N, positive if the spring pulls its ends together.
+    /// Returns the tension k (l − l₀) + c l̇ − f in N, positive if the spring pulls its ends together.
+    ///
+    /// f is the `force` of the actuator, which pushes the ends apart.
     #[inline]
     pub fn tension(&self) -> T {
         self.tension

@@ -14,6 +14,14 @@ pub enum at {}
 /// See [loads and springs](crate::mstmm_chain#loads-and-springs).
 pub enum damping {}
 
+/// `force` of an actuator along the spring, positive if it pushes the ends apart: a number, or
+/// the keyword `input`.
+///
+/// Unit: N. Default: 0.
+///
+/// See [loads and springs](crate::mstmm_chain#loads-and-springs).
+pub enum force {}
+
 /// `length` without load.
 ///
 /// Unit: m. Default: 0.
@@ -30,7 +38,7 @@ pub enum on {}
 
 /// `stiffness` along the spring.
 ///
-/// Unit: N/m. Default: required.
+/// Unit: N/m. Default: required without `force` or with `length`.
 ///
 /// See [loads and springs](crate::mstmm_chain#loads-and-springs).
 pub enum stiffness {}

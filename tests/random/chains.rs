@@ -7,6 +7,7 @@ printed! {
     Random0R Random0T, Point, energy(state);
     inputs |drives| {
         j1: drives.efforts[0],
+        s1_force: drives.springs[0],
     }
     hinges j1 j2;
     springs s1 s2;
@@ -27,7 +28,7 @@ pub chain {
     ground -> cylindrical([0.0, -1.0, 0.0]) j1 -> B1 b1 -> pin(x) j2 -> B2 b2;
     hinge j1 { stiffness = 8.77 N/m; limits = [-0.16, 1.13] m; limit_stiffness = 13.8 N/m; force = input; torque = 2.7 N*m; }
     hinge j2 { damping = 0.16 N*m*s/rad; armature = 0.75 kg*m^2; limits = [-0.64, 0.7] rad; limit_stiffness = 41.2 N*m/rad; limit_damping = 1.51 N*m*s/rad; torque = 3.0 N*m; }
-    spring s1 { on = b1; at = com; to = [-0.9, -0.6, -0.1] m; stiffness = 31.2 N/m; length = 0.8 m; }
+    spring s1 { on = b1; at = com; to = [-0.9, -0.6, -0.1] m; stiffness = 31.2 N/m; length = 0.8 m; force = input; }
     spring s2 { on = b2; at = [0.0, 0.0, 0.18] m; to = [1.1, 1.9, 1.2] m; stiffness = 20.2 N/m; length = 0.4 m; }
 }
 }
@@ -193,6 +194,7 @@ printed! {
         j2: plane_elastic(&drives.motions[0]),
         j5: vector(&drives.efforts, [2, 3, 4]),
         l1_force: part(&drives.loads[0].force, 0).into(),
+        s1_force: drives.springs[0],
     }
     hinges j1 j2 j3 j4 j5;
     springs s1;
@@ -229,7 +231,7 @@ pub plane chain {
     hinge j4 { armature = 0.58 kg*m^2; }
     hinge j5 { force = input; turning_stiffness = 2.22 N*m/rad; turning_limits = [-0.87, 0.86] rad; turning_limit_stiffness = 38.8 N*m/rad; turning_limit_damping = 0.48 N*m*s/rad; torque = input; }
     load l1 { on = b1; at = p1; force = input; torque = -1.2 N*m; axes = body; }
-    spring s1 { on = b2; at = input; to = [1.8, -0.5] m; stiffness = 30.0 N/m; length = 1.46 m; }
+    spring s1 { on = b2; at = input; to = [1.8, -0.5] m; stiffness = 30.0 N/m; length = 1.46 m; force = input; }
 }
 }
 
@@ -243,6 +245,7 @@ printed! {
         l1_torque: drives.loads[0].torque.into(),
         l2_force: drives.loads[1].force.into(),
         l3_force: drives.loads[2].force.into(),
+        s2_force: drives.springs[1],
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
@@ -277,7 +280,7 @@ pub chain {
     load l2 { on = b2; force = input; }
     load l3 { on = b3; at = [0.0, 0.0, 0.5] m; force = input; }
     spring s1 { on = b1; at = com; to = [1.0, -0.8, -0.4] m; stiffness = 10.2 N/m; }
-    spring s2 { on = b2; at = p2; to = [-0.8, 0.1, 1.2] m; stiffness = 36.6 N/m; }
+    spring s2 { on = b2; at = p2; to = [-0.8, 0.1, 1.2] m; stiffness = 36.6 N/m; force = input; }
 }
 }
 
@@ -307,7 +310,7 @@ pub chain {
     moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> planar(z) j3 -> moving tip;
     hinge j2 { rest = [0.01, 0.15, -0.08] m turned quaternion(-0.49, 0.04, 0.05, -0.07); stiffness = [29.71, 9.74, 15.5] N/m; damping = 1.07 N*s/m; armature = 0.29 kg; friction = 0.45 N; friction_speed = 0.9 m/s; limits = [-1.15, 0.61] m; limit_stiffness = 35.9 N/m; }
     load l1 { on = b2; at = [-0.4, -0.26, 0.84] m; torque = input; axes = body; }
-    spring s1 { on = b2; at = [0.0, 0.0, 0.57] m; to = [1.8, -0.6, -0.2] m; stiffness = 2.9 N/m; length = 0.48 m; }
+    spring s1 { on = b2; at = [0.0, 0.0, 0.57] m; to = [1.8, -0.6, -0.2] m; stiffness = 2.9 N/m; length = 0.48 m; force = -7.7 N; }
 }
 }
 
@@ -315,6 +318,7 @@ printed! {
     Random9R Random9T, Point, energy_with(state, inputs);
     inputs |drives| {
         j1: floating(&drives.motions[0]),
+        s1_force: drives.springs[0],
     }
     hinges j1;
     springs s1;
@@ -328,7 +332,7 @@ pub chain {
     }
     ground -> floating j1 -> B1 b1;
     hinge j1 { motion = input; }
-    spring s1 { on = b1; at = com; to = [-0.3, -1.8, 0.7] m; stiffness = 33.3 N/m; damping = 0.43 N*s/m; length = 0.2 m; }
+    spring s1 { on = b1; at = com; to = [-0.3, -1.8, 0.7] m; stiffness = 33.3 N/m; damping = 0.43 N*s/m; length = 0.2 m; force = input; }
 }
 }
 
@@ -406,7 +410,7 @@ pub plane chain {
     B1 b1 -> weld j1 -> B2 b2 -> slider([-0.89, 0.46]) j2 -> B3 b3 -> floating j3 -> ground;
     hinge j2 { damping = 2.02 N*s/m; armature = 0.14 kg; limits = [-0.23, 0.96] m; limit_stiffness = 46.5 N/m; force = input; }
     load l1 { on = b3; at = [0.0, 0.0] m; force = input; }
-    spring s1 { on = b1; at = [0.0, 0.0] m; to = [0.7, 0.4] m; stiffness = 23.1 N/m; damping = 1.28 N*s/m; length = 1.09 m; }
+    spring s1 { on = b1; at = [0.0, 0.0] m; to = [0.7, 0.4] m; stiffness = 23.1 N/m; damping = 1.28 N*s/m; length = 1.09 m; force = 4.0 N; }
 }
 }
 
@@ -437,7 +441,7 @@ pub chain {
     hinge j1 { torque = [4.3, 4.6, 2.3] N*m; }
     hinge j2 { turning_stiffness = 21.71 N*m/rad; turning_damping = 0.88 N*m*s/rad; }
     load l1 { on = b2; at = output; force = input; axes = body; }
-    spring s1 { on = b1; at = p1; to = [1.2, -1.3, 0.4] m; stiffness = 25.0 N/m; }
+    spring s1 { on = b1; at = p1; to = [1.2, -1.3, 0.4] m; stiffness = 25.0 N/m; force = 4.9 N; }
 }
 }
 
@@ -499,7 +503,7 @@ pub line chain {
     load l1 { on = b1; at = input; force = input; }
     load l2 { on = b3; at = input; force = 1.1 N; }
     spring s1 { on = b3; at = com; to = -0.2 m; stiffness = 6.7 N/m; damping = 1.19 N*s/m; length = 0.9 m; }
-    spring s2 { on = b4; at = p1; to = -1.1 m; stiffness = 23.5 N/m; length = 1.35 m; }
+    spring s2 { on = b4; at = p1; to = -1.1 m; stiffness = 23.5 N/m; length = 1.35 m; force = -6.7 N; }
 }
 }
 

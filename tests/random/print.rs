@@ -82,6 +82,11 @@ fn inputs(chain: &Chain) -> Vec<String> {
             fields.push(format!("{name}_torque: {torque}"));
         }
     }
+    for (place, spring) in chain.springs.iter().enumerate() {
+        if spring.force == Source::Input {
+            fields.push(format!("{}_force: drives.springs[{place}]", spring.name));
+        }
+    }
     if chain.gravity == Gravity::Input {
         fields.push(format!("gravity: {}", shifts(chain.dimension, "drives.gravity")));
     }

@@ -46,6 +46,7 @@ printed! {
         l1_torque: drives.loads[0].torque[2],
         l3_torque: drives.loads[2].torque[2],
         l4_torque: drives.loads[3].torque[2],
+        c3_force: drives.springs[2],
     }
     hinges j1 j2 j3 j4 j5;
     springs c1 c2 c3;
@@ -101,9 +102,9 @@ pub plane chain {
     load l2 { on = b3; at = p1; torque = 0.3 N*m; }
     load l3 { on = b5; torque = input; axes = body; }
     load l4 { on = b6; at = p2; force = [1.8, -3.6] N; torque = input; }
-    spring c1 { on = b1; at = [0.0, 0.0] m; to = b5.com; stiffness = 17.0 N/m; damping = 2.05 N*s/m; length = 0.77 m; }
+    spring c1 { on = b1; at = [0.0, 0.0] m; to = b5.com; stiffness = 17.0 N/m; damping = 2.05 N*s/m; length = 0.77 m; force = 5.1 N; }
     spring c2 { on = b3; at = [-0.83, 0.47] m; to = b2.output; stiffness = 2.2 N/m; length = 1.09 m; }
-    spring c3 { on = b5; at = [0.0, 0.0] m; to = b2.output; stiffness = 16.5 N/m; damping = 1.1 N*s/m; }
+    spring c3 { on = b5; at = [0.0, 0.0] m; to = b2.output; stiffness = 16.5 N/m; damping = 1.1 N*s/m; force = input; }
 }
 }
 
@@ -379,7 +380,7 @@ pub chain {
     hinge j5 { rest = 0.05 rad; stiffness = 35.5 N*m/rad; damping = 0.9 N*m*s/rad; armature = 0.66 kg*m^2; friction = 0.29 N*m; friction_speed = 0.3 rad/s; limits = [-0.57, 0.74] rad; limit_stiffness = 31.7 N*m/rad; limit_damping = 0.98 N*m*s/rad; torque = 1.2 N*m; }
     hinge j7 { torque = input; }
     load l1 { on = b5; force = [-7.5, -4.7, 3.5] N; torque = input; }
-    spring s1 { on = b3; at = p1; to = [-1.2, 0.4, -1.3] m; stiffness = 11.1 N/m; damping = 1.82 N*s/m; length = 0.95 m; }
+    spring s1 { on = b3; at = p1; to = [-1.2, 0.4, -1.3] m; stiffness = 11.1 N/m; damping = 1.82 N*s/m; length = 0.95 m; force = 7.2 N; }
 }
 }
 
@@ -392,6 +393,7 @@ printed! {
         j3: drives.efforts[3],
         l1_force: part(&drives.loads[0].force, 0).into(),
         l2_force: part(&drives.loads[1].force, 0).into(),
+        s1_force: drives.springs[0],
         gravity: part(&drives.gravity, 0).into(),
     }
     hinges j1 j2 j3 j4 j5;
@@ -433,7 +435,7 @@ pub plane chain {
     hinge j5 { stiffness = 17.66 N/m; damping = [1.34, 1.57] N*s/m; limits = [-0.67, 0.65] m; limit_stiffness = 51.9 N/m; limit_damping = 0.31 N*s/m; turning_stiffness = 21.12 N*m/rad; turning_armature = 0.14 kg*m^2; turning_limits = [-0.85, 0.2] rad; turning_limit_stiffness = 51.2 N*m/rad; turning_limit_damping = 0.67 N*m*s/rad; }
     load l1 { on = b3; force = input; }
     load l2 { on = b4; at = input; force = input; torque = 4.5 N*m; }
-    spring s1 { on = b3; at = p1; to = [-0.8, 0.1] m; stiffness = 36.6 N/m; }
+    spring s1 { on = b3; at = p1; to = [-0.8, 0.1] m; stiffness = 36.6 N/m; force = input; }
 }
 }
 
@@ -443,6 +445,7 @@ printed! {
         base: space_frame(&drives.start),
         tip: space_frame(&drives.finish),
         j7: vector(&drives.efforts, [11, 12, 13]),
+        c1_force: drives.springs[0],
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4 j5 j6 j7 j8;
@@ -500,9 +503,9 @@ pub chain {
     hinge j3 { rest = -1.22 rad; stiffness = 4.87 N*m/rad; damping = 1.47 N*m*s/rad; armature = 0.76 kg*m^2; torque = 0.9 N*m; }
     hinge j5 { torque = [-0.8, -2.0, -2.6] N*m; }
     hinge j7 { torque = input; }
-    spring c1 { on = b5; at = input; to = b6.com; stiffness = 7.6 N/m; }
+    spring c1 { on = b5; at = input; to = b6.com; stiffness = 7.6 N/m; force = input; }
     spring s2 { on = b2; at = com; to = [1.4, 1.6, 1.3] m; stiffness = 20.1 N/m; damping = 2.76 N*s/m; length = 1.12 m; }
-    spring s3 { on = b4; at = input; to = [-1.7, 0.5, -1.1] m; stiffness = 36.2 N/m; damping = 2.23 N*s/m; }
+    spring s3 { on = b4; at = input; to = [-1.7, 0.5, -1.1] m; stiffness = 36.2 N/m; damping = 2.23 N*s/m; force = 1.0 N; }
 }
 }
 
@@ -650,7 +653,7 @@ pub line chain {
     load l1 { on = b3; force = input; }
     load l2 { on = b4; force = input; }
     spring s1 { on = b1; at = com; to = 1.3 m; stiffness = 25.7 N/m; }
-    spring s2 { on = b3; at = 0.59 m; to = -0.6 m; stiffness = 18.1 N/m; damping = 0.43 N*s/m; }
+    spring s2 { on = b3; at = 0.59 m; to = -0.6 m; stiffness = 18.1 N/m; damping = 0.43 N*s/m; force = -5.8 N; }
 }
 }
 
@@ -696,7 +699,7 @@ pub chain {
     hinge j4 { force = input; turning_stiffness = [27.11, 4.24, 8.16] N*m/rad; turning_armature = [0.41, 0.4, 0.22] kg*m^2; torque = input; }
     hinge j5 { rest = [0.48, 0.21, -0.16] m turned quaternion(-0.03, -0.32, -0.05, 0.38); force = [3.3, 5.0, 1.3] N; turning_stiffness = 35.15 N*m/rad; turning_damping = 0.81 N*m*s/rad; turning_armature = 0.11 kg*m^2; turning_limits = 0.73 rad; turning_limit_stiffness = 17.3 N*m/rad; turning_limit_damping = 0.7 N*m*s/rad; torque = [-2.7, -3.5, -3.5] N*m; }
     load l1 { on = b4; at = input; torque = [2.8, -6.6, -3.4] N*m; }
-    spring c1 { on = b3; at = [0.0, 0.0, 0.0] m; to = b2.output; stiffness = 37.1 N/m; }
+    spring c1 { on = b3; at = [0.0, 0.0, 0.0] m; to = b2.output; stiffness = 37.1 N/m; force = -7.5 N; }
 }
 }
 
@@ -726,6 +729,7 @@ printed! {
         l7_force: part(&drives.loads[6].force, 0).into(),
         l7_torque: drives.loads[6].torque[2],
         l10_torque: drives.loads[9].torque[2],
+        s11_force: drives.springs[10],
     }
     hinges j1 j2 j3 j4 j5 j6 j7 j8 j9 j10 j11 j12 j13 j14 j15 j16 j17 j18 j19 j20 j21 j22 j23 j24 j25 j26 j27 j28 j29 j30 j31 j32 j33 j34 j35 j36 j37 j38 j39;
     springs c1 c2 c3 c4 c5 c6 c7 s8 s9 s10 s11 s12 s13 s14 s15 s16 s17 s18 s19;
@@ -1043,16 +1047,16 @@ pub plane chain {
     spring c7 { on = b31; at = [-0.43, 0.41] m; to = b19.com; stiffness = 33.0 N/m; damping = 0.28 N*s/m; }
     spring s8 { on = b3; at = [0.0, 0.43] m; to = [-0.3, -0.6] m; stiffness = 37.3 N/m; damping = 0.62 N*s/m; length = 0.9 m; }
     spring s9 { on = b6; at = input; to = [0.3, 0.0] m; stiffness = 7.8 N/m; }
-    spring s10 { on = b10; at = output; to = [1.8, 1.9] m; stiffness = 23.9 N/m; }
-    spring s11 { on = b17; at = [0.0, 0.0] m; to = [1.5, 0.9] m; stiffness = 37.1 N/m; damping = 0.74 N*s/m; length = 0.23 m; }
+    spring s10 { on = b10; at = output; to = [1.8, 1.9] m; stiffness = 23.9 N/m; force = -2.3 N; }
+    spring s11 { on = b17; at = [0.0, 0.0] m; to = [1.5, 0.9] m; stiffness = 37.1 N/m; damping = 0.74 N*s/m; length = 0.23 m; force = input; }
     spring s12 { on = b22; at = com; to = [0.2, -0.6] m; stiffness = 25.8 N/m; }
     spring s13 { on = b26; at = [0.0, 0.0] m; to = [0.8, -1.5] m; stiffness = 23.3 N/m; damping = 2.34 N*s/m; length = 0.54 m; }
     spring s14 { on = b29; at = com; to = [-1.3, -0.1] m; stiffness = 39.5 N/m; length = 1.38 m; }
     spring s15 { on = b30; at = p4; to = [-1.4, 0.5] m; stiffness = 30.9 N/m; }
     spring s16 { on = b32; at = output; to = [-1.0, -0.2] m; stiffness = 25.8 N/m; damping = 1.95 N*s/m; }
     spring s17 { on = b33; at = [-0.67, -0.99] m; to = [-1.5, 1.1] m; stiffness = 25.1 N/m; damping = 0.52 N*s/m; }
-    spring s18 { on = b38; at = output; to = [1.1, -0.6] m; stiffness = 28.5 N/m; }
-    spring s19 { on = b39; at = output; to = [0.1, 1.0] m; stiffness = 36.2 N/m; length = 0.72 m; }
+    spring s18 { on = b38; at = output; to = [1.1, -0.6] m; stiffness = 28.5 N/m; force = 3.1 N; }
+    spring s19 { on = b39; at = output; to = [0.1, 1.0] m; stiffness = 36.2 N/m; length = 0.72 m; force = -5.8 N; }
 }
 }
 
@@ -1068,6 +1072,8 @@ printed! {
         i4_j3: vector(&drives.efforts, [45, 46, 47, 48, 49, 50]),
         i5_limb0_j3: vector(&drives.efforts, [53, 54, 55, 56, 57, 58]),
         i5_l1_force: drives.loads[1].force.into(),
+        c4_force: drives.springs[3],
+        c7_force: drives.springs[6],
     }
     hinges i2_j1 i2_j2 j6 i2_j3 i2_j4 i3_j1 i3_j2 i3_j3 i3_j4 i4_j1 i4_j2 i5_limb0_j1 i5_limb0_j2 i5_j5 j7 i4_j3 i4_j4 i5_limb0_j3 i5_limb0_j4;
     springs s1 s2 c3 c4 c5 c6 c7;
@@ -1152,13 +1158,13 @@ pub chain {
     i2.b1.output -> Limb0(0.5) i3 -> B8 b8;
     b6.output -> Limb0(1.0) i4 -> B9 b9 -> Limb1(-1.0, 0.5) i5 -> elastic j7 -> B10 b10;
     load l1 { on = b7; at = [0.0, -0.47, 0.0] m; force = [-0.2, 6.0, -1.1] N; }
-    spring s1 { on = b7; at = p1; to = [-0.2, 0.4, -0.1] m; stiffness = 16.7 N/m; length = 0.5 m; }
-    spring s2 { on = b9; at = input; to = [-1.2, -0.9, 0.9] m; stiffness = 23.2 N/m; }
+    spring s1 { on = b7; at = p1; to = [-0.2, 0.4, -0.1] m; stiffness = 16.7 N/m; length = 0.5 m; force = -5.1 N; }
+    spring s2 { on = b9; at = input; to = [-1.2, -0.9, 0.9] m; stiffness = 23.2 N/m; force = 6.0 N; }
     spring c3 { on = i2.b1; at = com; to = i5.limb0.b3.input; stiffness = 23.1 N/m; }
-    spring c4 { on = b7; at = [0.0, 0.0, 0.0] m; to = b9.input; stiffness = 32.7 N/m; damping = 2.79 N*s/m; }
+    spring c4 { on = b7; at = [0.0, 0.0, 0.0] m; to = b9.input; stiffness = 32.7 N/m; damping = 2.79 N*s/m; force = input; }
     spring c5 { on = i3.b2; at = [0.87, -0.64, -0.02] m; to = i4.b1.output; stiffness = 26.4 N/m; length = 1.12 m; }
     spring c6 { on = i4.b1; at = [-0.35, -0.78, -0.85] m; to = i3.b1.input; stiffness = 13.7 N/m; }
-    spring c7 { on = i5.limb0.b2; at = output; to = i5.b4.input; stiffness = 25.8 N/m; length = 1.06 m; }
+    spring c7 { on = i5.limb0.b2; at = output; to = i5.b4.input; stiffness = 25.8 N/m; length = 1.06 m; force = input; }
 }
 }
 
@@ -1244,6 +1250,11 @@ printed! {
         i6_i1_l1_force: drives.loads[7].force.into(),
         i6_i1_l2_force: drives.loads[8].force.into(),
         i6_i1_l3_force: drives.loads[9].force.into(),
+        s1_force: drives.springs[0],
+        c4_force: drives.springs[3],
+        c6_force: drives.springs[5],
+        i3_i1_s2_force: drives.springs[7],
+        i6_i1_s2_force: drives.springs[9],
     }
     hinges j7 j8 i3_i2_j1 i4_j1 i3_i1_j4 i3_i1_j5 i3_i2_j2 i3_i2_j3 i3_j6 i4_j2 i4_j3 i5_j1 j9 j10 i5_j2 i5_j3 j11 i6_i2_j1 i7_j1 i6_i1_j4 i6_i1_j5 i6_i2_j2 i6_i2_j3 i6_j6 i7_j2 i7_j3 j12;
     springs s1 c2 c3 c4 c5 c6 i3_i1_s1 i3_i1_s2 i6_i1_s1 i6_i1_s2;
@@ -1305,7 +1316,7 @@ pub chain {
     load l2 { on = b5; at = output; force = input; axes = body; }
     load l3 { on = b6; force = input; axes = body; }
     spring s1 { on = b5; at = p1; to = [-1.6, -0.6, 0.6] m; stiffness = 31.9 N/m; damping = 1.24 N*s/m; length = 0.38 m; }
-    spring s2 { on = b6; at = [0.0, 0.0, 0.0] m; to = [0.7, -0.6, 1.5] m; stiffness = 10.2 N/m; }
+    spring s2 { on = b6; at = [0.0, 0.0, 0.0] m; to = [0.7, -0.6, 1.5] m; stiffness = 10.2 N/m; force = input; }
     }
     part Limb2(side, size) {
     body B7 {
@@ -1354,12 +1365,12 @@ pub chain {
     hinge j11 { torque = -4.4 N*m; }
     hinge j12 { rest = -0.36 m turned -1.23 rad; stiffness = 37.42 N/m; friction = 1.95 N; friction_speed = 0.5 m/s; force = input; turning_damping = 0.53 N*m*s/rad; turning_friction = 0.35 N*m; turning_friction_speed = 0.3 rad/s; turning_limits = [-0.19, 0.38] rad; turning_limit_stiffness = 20.5 N*m/rad; torque = 4.0 N*m; }
     load l1 { on = b9; at = p1; force = input; axes = body; }
-    spring s1 { on = b11; at = [0.34, 0.0, 0.0] m; to = [-1.6, -1.7, 1.6] m; stiffness = 1.2 N/m; damping = 0.11 N*s/m; }
+    spring s1 { on = b11; at = [0.34, 0.0, 0.0] m; to = [-1.6, -1.7, 1.6] m; stiffness = 1.2 N/m; damping = 0.11 N*s/m; force = input; }
     spring c2 { on = b8; at = input; to = b11.input; stiffness = 23.9 N/m; }
     spring c3 { on = i3.i2.b1; at = [0.0, 0.0, 0.0] m; to = i6.i1.b5.output; stiffness = 13.2 N/m; damping = 2.2 N*s/m; length = 0.73 m; }
-    spring c4 { on = i3.i2.b2; at = [0.24, 0.0, 0.0] m; to = i3.i1.b6.output; stiffness = 16.3 N/m; length = 0.26 m; }
+    spring c4 { on = i3.i2.b2; at = [0.24, 0.0, 0.0] m; to = i3.i1.b6.output; stiffness = 16.3 N/m; length = 0.26 m; force = input; }
     spring c5 { on = i5.b1; at = [0.07, 0.9, 0.63] m; to = i5.b3.input; stiffness = 26.8 N/m; length = 0.27 m; }
-    spring c6 { on = b11; at = [0.0, 0.0, 0.0] m; to = i6.b7.output; stiffness = 28.6 N/m; length = 1.1 m; }
+    spring c6 { on = b11; at = [0.0, 0.0, 0.0] m; to = i6.b7.output; stiffness = 28.6 N/m; length = 1.1 m; force = input; }
 }
 }
 
@@ -1375,6 +1386,11 @@ printed! {
         j7: vector(&drives.efforts, [36, 37]),
         j8: vector(&drives.efforts, [38, 39, 40, 41, 42, 43]),
         i4_l1_force: drives.loads[2].force.into(),
+        c2_force: drives.springs[1],
+        i3_s1_force: drives.springs[3],
+        i3_s2_force: drives.springs[4],
+        i4_i2_s1_force: drives.springs[5],
+        i4_i2_s2_force: drives.springs[6],
         gravity: drives.gravity.into(),
     }
     hinges i3_j1 i4_i1_j3 j5 j6 i3_j2 i4_i2_j1 i4_j4 i4_i2_j2 j7 j8;
@@ -1399,8 +1415,8 @@ pub chain {
     floating j1 -> B1 b1;
     b1.input -> planar(x) j2 -> B2 b2;
     hinge j2 { limits = [-0.11, 1.1] m; limit_stiffness = 9.3 N/m; force = input; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.17 kg*m^2; turning_limits = [-0.27, 0.1] rad; turning_limit_stiffness = 10.1 N*m/rad; torque = input; }
-    spring s1 { on = b1; at = input; to = [1.7, 0.2, -1.6] m; stiffness = 33.8 N/m; damping = 2.05 N*s/m; }
-    spring s2 { on = b2; at = p1; to = [-1.8, 1.0, -1.2] m; stiffness = 14.9 N/m; }
+    spring s1 { on = b1; at = input; to = [1.7, 0.2, -1.6] m; stiffness = 33.8 N/m; damping = 2.05 N*s/m; force = input; }
+    spring s2 { on = b2; at = p1; to = [-1.8, 1.0, -1.2] m; stiffness = 14.9 N/m; force = input; }
     }
     part Limb1 {
     floating j3;
@@ -1458,7 +1474,7 @@ pub chain {
     load l1 { on = b5; at = input; torque = [-2.0, 3.3, -4.8] N*m; }
     load l2 { on = b7; at = output; torque = [4.8, -5.7, -1.5] N*m; axes = body; }
     spring s1 { on = b7; at = [-0.62, -0.98, -0.82] m; to = [-1.2, 0.0, 0.3] m; stiffness = 35.0 N/m; length = 0.88 m; }
-    spring c2 { on = i3.b1; at = input; to = i3.b2.output; stiffness = 17.3 N/m; }
+    spring c2 { on = i3.b1; at = input; to = i3.b2.output; stiffness = 17.3 N/m; force = input; }
     spring c3 { on = b8; at = [0.04, -0.98, 0.26] m; to = i3.b2.com; stiffness = 6.6 N/m; damping = 1.56 N*s/m; }
 }
 }
@@ -1472,6 +1488,7 @@ printed! {
         i4_i3_i1_j2: drives.efforts[7],
         i5_j2: drives.efforts[12],
         i4_i3_i2_j2: drives.efforts[18],
+        i4_i3_s2_force: drives.springs[2],
     }
     hinges i4_i3_j3 i4_i3_i1_j1 i4_i3_i1_j2 i5_j1 i5_j2 j5 i4_i3_i2_j1 i4_i3_i2_j2 i4_i3_j4 j6 j7;
     springs s1 i4_i3_s1 i4_i3_s2;
@@ -1513,7 +1530,7 @@ pub chain {
     hinge j4 { stiffness = 33.59 N*m/rad; armature = 0.39 kg*m^2; friction = 1.37 N*m; friction_speed = 0.6 rad/s; limits = [-0.17, 0.19] rad; limit_stiffness = 56.0 N*m/rad; torque = -1.7 N*m; }
     load l1 { on = b4; at = output; torque = [-7.1, 1.8, -5.9] N*m; axes = body; }
     spring s1 { on = b3; at = output; to = [-1.6, -0.7, 1.5] m; stiffness = 34.0 N/m; damping = 2.74 N*s/m; }
-    spring s2 { on = b4; at = input; to = [-0.6, -0.1, 1.4] m; stiffness = 32.2 N/m; damping = 0.46 N*s/m; }
+    spring s2 { on = b4; at = input; to = [-0.6, -0.1, 1.4] m; stiffness = 32.2 N/m; damping = 0.46 N*s/m; force = input; }
     }
     part Limb2 {
     Limb1(0.5) i3;

@@ -56,6 +56,8 @@ declare_id! {
     InputId,
     /// A load.
     LoadId,
+    /// A spring.
+    SpringId,
     /// A parameter of the model.
     ParameterId,
     /// A symbol of the graph: an unknown of a chain's functions, or a loop-carried value.

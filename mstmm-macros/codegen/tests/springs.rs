@@ -131,8 +131,11 @@ fn compare<S: Judge>(twins: &Twins, state: u64, epsilon: f64) {
 
 #[test]
 fn springs_of_repeated_parts_are_those_written_out() {
-    for (dimension, method) in [(0, "riccati"), (1, "riccati"), (2, "riccati"), (0, "transfer")] {
-        let twins = twins(dimension, method);
+    let push = "param push = 3 N;";
+    let cases = [(0, "riccati"), (1, "riccati"), (2, "riccati"), (0, "transfer")];
+    let plain = cases.map(|(dimension, method)| twins(dimension, method, ""));
+    let actuated = (0..3).map(|dimension| twins(dimension, "riccati", push));
+    for twins in plain.into_iter().chain(actuated) {
         for state in 0..STATES {
             compare::<f64>(&twins, state, 1e-10);
             compare::<DoubleDouble>(&twins, state, 1e-14);
@@ -186,7 +189,7 @@ fn energy_falls_by_the_power_of_dampers() {
     for dimension in 0..3 {
         let (text, cords) = routes(dimension);
         let twin = with_springs(&text, &cords);
-        let twins = twins(dimension, "riccati");
+        let twins = twins(dimension, "riccati", "");
         for seed in 0..STATES {
             check_energy(&twin, &twin.set_up(arguments(&twin, seed)));
             let [repeated, _] = twins.state(seed);

@@ -20,6 +20,8 @@ pub struct Drives {
     pub finish: FrameMotion,
     /// The values of the inputs of every load, in the order of [`Chain::loads`].
     pub loads: Vec<LoadInput>,
+    /// The force of the actuator of every spring in N, in the order of [`Chain::springs`].
+    pub springs: Vec<f64>,
     /// The acceleration of free fall in m/s², inertial axes.
     pub gravity: [f64; 3],
 }
@@ -80,6 +82,7 @@ impl Drives {
             route_starts: vec![FrameMotion::AT_REST; chain.later_routes.len()],
             finish: FrameMotion::AT_REST,
             loads: vec![LoadInput::default(); chain.loads.len()],
+            springs: vec![0.0; chain.springs.len()],
             gravity: [0.0; 3],
         }
     }
@@ -99,13 +102,14 @@ impl FrameMotion {
 
 impl Chain {
     /// Returns whether the chain has inputs in addition to efforts: a moving frame, a prescribed
-    /// motion, a load or gravity.
+    /// motion, a load, an actuator of a spring or gravity.
     pub fn needs_drives(&self) -> bool {
         let moving = |end: &End| matches!(end, End::Moving { .. });
         self.routes().any(|(start, _, finish)| moving(start) || moving(finish))
             || self.gravity == Gravity::Input
             || self.hinges().any(|hinge| hinge.prescribed)
             || self.loads.iter().any(|l| l.force == Source::Input || l.torque == Source::Input)
+            || self.springs.iter().any(|spring| spring.force == Source::Input)
     }
 
     /// Returns the motion of the moving frame with the given name, if the chain has one.
@@ -122,6 +126,7 @@ impl Chain {
         assert_eq!(state.v.len(), self.dof_count(), "chain {}: rates", self.name);
         assert_eq!(drives.efforts.len(), self.dof_count(), "chain {}: efforts", self.name);
         assert_eq!(drives.loads.len(), self.loads.len(), "chain {}: loads", self.name);
+        assert_eq!(drives.springs.len(), self.springs.len(), "chain {}: springs", self.name);
         let later = self.later_routes.len();
         assert_eq!(drives.route_starts.len(), later, "chain {}: routes", self.name);
         let prescribed: Vec<_> = self.hinges().filter(|hinge| hinge.prescribed).collect();

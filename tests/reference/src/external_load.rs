@@ -26,12 +26,14 @@ enum Anchor {
     Body(usize, Vec3),
 }
 
-/// A spring with a damper.
+/// A spring with a damper and an actuator.
 struct SpringLaw {
     to: Anchor,
     stiffness: f64,
     damping: f64,
     length: f64,
+    /// The force of the actuator, which pushes the ends apart.
+    push: f64,
 }
 
 /// A spring at one instant.
@@ -53,7 +55,8 @@ impl ExternalLoad {
     pub(crate) fn all(chain: &Chain, drives: &Drives) -> Vec<ExternalLoad> {
         let loads = chain.loads.iter().zip(&drives.loads);
         let loads = loads.map(|(load, input)| ExternalLoad::load(chain, load, input));
-        let springs = chain.springs.iter().map(|spring| ExternalLoad::spring(chain, spring));
+        let springs = chain.springs.iter().zip(&drives.springs);
+        let springs = springs.map(|(spring, &input)| ExternalLoad::spring(chain, spring, input));
         loads.chain(springs).collect()
     }
 
@@ -69,13 +72,14 @@ impl ExternalLoad {
         ExternalLoad { at: Anchor::on_body(chain, &load.body, &load.at), kind }
     }
 
-    fn spring(chain: &Chain, spring: &Spring) -> ExternalLoad {
+    fn spring(chain: &Chain, spring: &Spring, input: f64) -> ExternalLoad {
         let to = match &spring.to {
             SpringEnd::Ground(position) => Anchor::Ground(Vec3::from(*position)),
             SpringEnd::Body { body, at } => Anchor::on_body(chain, body, at),
         };
         let Spring { stiffness, damping, length, .. } = *spring;
-        let kind = Kind::Spring(SpringLaw { to, stiffness, damping, length });
+        let push = spring.actuator(input);
+        let kind = Kind::Spring(SpringLaw { to, stiffness, damping, length, push });
         ExternalLoad { at: Anchor::on_body(chain, &spring.body, &spring.at), kind }
     }
 
@@ -151,9 +155,20 @@ impl SpringLaw {
         let length = between.norm();
         let direction = if length == 0.0 { Vec3::zeros() } else { between / length };
         let rate = direction.dot(&velocity);
-        let tension = self.stiffness * (length - self.length) + self.damping * rate;
+        let tension = self.stiffness * (length - self.length) + self.damping * rate - self.push;
         let energy = 0.5 * self.stiffness * (length - self.length).powi(2);
         Stretched { length, rate, tension, force: -direction * tension, energy }
+    }
+}
+
+impl Spring {
+    /// Returns the force of the actuator for the value of its input.
+    pub fn actuator(&self, input: f64) -> f64 {
+        match self.force {
+            Source::None => 0.0,
+            Source::Constant(force) => force,
+            Source::Input => input,
+        }
     }
 }
 

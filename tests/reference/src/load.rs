@@ -36,6 +36,8 @@ pub struct Spring {
     pub damping: f64,
     /// The length without force in m.
     pub length: f64,
+    /// The force of an actuator in N that pushes the ends apart.
+    pub force: Source<f64>,
 }
 
 /// The end of a spring that is not on its own body.

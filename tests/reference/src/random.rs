@@ -13,6 +13,11 @@ impl Random {
         Random { state: seed }
     }
 
+    /// Returns a generator of other numbers. The sequence of this one stays as it is.
+    pub fn beside(&self) -> Random {
+        Random { state: self.state ^ 0x5851_F42D_4C95_7F2D }
+    }
+
     /// Returns the next 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);

@@ -170,6 +170,15 @@ fn random_load(
     }
 }
 
+/// Returns the force of the actuator of a spring.
+pub(crate) fn random_actuator(random: &mut Random) -> Source<f64> {
+    match random.below(4) {
+        0 => Source::Input,
+        1 => Source::Constant(random.rounded(-8.0, 8.0, 1)),
+        _ => Source::None,
+    }
+}
+
 fn random_spring(
     random: &mut Random,
     name: String,
@@ -188,5 +197,6 @@ fn random_spring(
         stiffness: random.rounded(1.0, 40.0, 1),
         damping: if random.chance(0.5) { random.rounded(0.1, 3.0, 2) } else { 0.0 },
         length: if random.chance(0.5) { random.rounded(0.1, 1.5, 2) } else { 0.0 },
+        force: random_actuator(&mut random.beside()),
     }
 }

@@ -168,6 +168,12 @@ fn random_drives(random: &mut Random, chain: &Chain) -> Drives {
             input.torque = random_turning(random, 8.0, dimension);
         }
     }
+    let mut beside = random.beside();
+    for (spring, input) in chain.springs.iter().zip(&mut drives.springs) {
+        if spring.force == Source::Input {
+            *input = beside.between(-8.0, 8.0);
+        }
+    }
     if chain.gravity == Gravity::Input {
         drives.gravity = random_vector(random, 8.0, dimension);
     }

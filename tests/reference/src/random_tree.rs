@@ -7,6 +7,7 @@ use crate::random_chain::{
     TRIES, bare_chain, finished, random_body, random_ground, random_hinge, random_offset,
     random_turn,
 };
+use crate::random_forces::random_actuator;
 use crate::recipe::{Ends, HingeChoice, Recipe};
 use crate::route::{NamedPoint, Place, Route};
 
@@ -182,6 +183,7 @@ pub(crate) fn add_spring(random: &mut Random, chain: &mut Chain, body: &str, to:
         stiffness: random.rounded(1.0, 40.0, 1),
         damping: if random.chance(0.5) { random.rounded(0.1, 3.0, 2) } else { 0.0 },
         length: if random.chance(0.5) { random.rounded(0.1, 1.5, 2) } else { 0.0 },
+        force: random_actuator(&mut random.beside()),
     });
 }
 

@@ -159,6 +159,7 @@ impl Chain {
         ];
         let given = numbers.iter().filter(|(_, number, _)| *number != 0.0);
         fields.extend(given.map(|(field, number, unit)| format!("{field} = {number:?} {unit}")));
+        fields.extend(source("force", &spring.force, |force| format!("{force:?} N")));
         section("spring", &spring.name, &fields)
     }
 

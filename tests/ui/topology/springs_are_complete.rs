@@ -8,6 +8,7 @@ mstmm::mstmm_chain! {
         }
         ground -> ball joint -> Bar bar;
         spring rope { on = bar; at = output; }
+        spring ram { on = bar; to = [1, 0, 0] m; force = input; length = 1 m; }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Assigns the unknowns of limbs of one shape to each other.
 
-use crate::ids::LoadId;
+use crate::ids::BodyId;
 use crate::model::{Chain, InputKind, Layout, LimbGroup, Link, limb_groups};
 use crate::passes::{Leaf, Limb, LimbQuantity, Limbs};
 use crate::program::{Argument, Given, PACK};
@@ -44,7 +44,7 @@ pub(super) fn limbs(chain: &Chain, layout: &Layout, merged: &Layout) -> Limbs {
     limbs
 }
 
-/// Adds the unknowns of a link's hinge and of the loads on its bodies, each with its index among its quantity.
+/// Adds the unknowns of a link's hinge and of the loads and springs on its bodies, each with its index among its quantity.
 fn add_link(
     (chain, layout): (&Chain, &Layout),
     link: &Link,
@@ -59,13 +59,17 @@ fn add_link(
             add((argument, entry), LimbQuantity::Rate, offset);
         }
     }
-    let on_link = |load: LoadId| link.members.contains(&chain.loads[load].body);
+    let on_link = |body: BodyId| link.members.contains(&body);
     let mut loads = 0;
     for (id, input) in layout.inputs.enumerate() {
         let quantity = match input.what {
             InputKind::Efforts(hinge) if hinge == link.hinge => LimbQuantity::Effort,
             InputKind::Motion(hinge) if hinge == link.hinge => LimbQuantity::Motion,
-            InputKind::Force(load) | InputKind::Torque(load) if on_link(load) => {
+            InputKind::Force(load) | InputKind::Torque(load) if on_link(chain.loads[load].body) => {
+                loads += 1;
+                LimbQuantity::Load(loads)
+            }
+            InputKind::SpringForce(spring) if on_link(chain.springs[spring].on.body) => {
                 loads += 1;
                 LimbQuantity::Load(loads)
             }

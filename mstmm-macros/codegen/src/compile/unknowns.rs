@@ -145,6 +145,9 @@ fn input_names(chain: &Chain, input: &Input) -> Vec<String> {
         InputKind::Torque(load) => {
             along(&format!("{}_torque", text(&chain.loads[load].name)), chain.dimension.rotations())
         }
+        InputKind::SpringForce(spring) => {
+            vec![format!("{}_force", text(&chain.springs[spring].name))]
+        }
         InputKind::Efforts(hinge) => {
             let name = text(&chain.hinges[hinge].name);
             (0..input.range.len()).map(|k| format!("{name}_input{k}")).collect()

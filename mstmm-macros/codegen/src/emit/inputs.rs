@@ -82,6 +82,10 @@ fn doc_of(cx: &EmitContext, input: &Input) -> String {
         InputKind::Torque(load) => {
             format!(" The torque of `{}` in N m.", cx.chain.loads[load].name)
         }
+        InputKind::SpringForce(spring) => format!(
+            " The force of the actuator of `{}` in N, positive if it pushes the ends apart.",
+            cx.chain.springs[spring].name
+        ),
     }
 }
 
@@ -93,9 +97,7 @@ fn type_of(cx: &EmitContext, input: &Input) -> TokenStream {
             let acceleration = cx.numbers_type(cx.chain.hinges[hinge].kind.dof_count());
             quote!(#mstmm::HingeMotion<#mstmm::#view<T>, #acceleration>)
         }
-        InputKind::Gravity | InputKind::Efforts(_) | InputKind::Force(_) | InputKind::Torque(_) => {
-            cx.numbers_type(input.range.len())
-        }
+        _ => cx.numbers_type(input.range.len()),
     }
 }
 
@@ -116,9 +118,7 @@ fn zero_of(cx: &EmitContext, input: &Input) -> TokenStream {
                 }
             }
         }
-        InputKind::Gravity | InputKind::Efforts(_) | InputKind::Force(_) | InputKind::Torque(_) => {
-            zero(input.range.len())
-        }
+        _ => zero(input.range.len()),
     }
 }
 
@@ -167,10 +167,7 @@ impl EmitContext<'_> {
                     #taken
                 }
             }
-            InputKind::Gravity
-            | InputKind::Efforts(_)
-            | InputKind::Force(_)
-            | InputKind::Torque(_) => take(symbols, quote!(#from)),
+            _ => take(symbols, quote!(#from)),
         }
     }
 }

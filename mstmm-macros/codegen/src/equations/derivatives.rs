@@ -216,7 +216,10 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
                 self.in_hinge(link, &direction, trace)
             }
             InputKind::Gravity => self.by_gravity(&direction),
-            InputKind::Force(_) | InputKind::Torque(_) | InputKind::Efforts(_) => {
+            InputKind::Force(_)
+            | InputKind::Torque(_)
+            | InputKind::SpringForce(_)
+            | InputKind::Efforts(_) => {
                 vec![S::zero(); layout.dof_count()]
             }
         };

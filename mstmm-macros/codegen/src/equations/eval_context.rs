@@ -7,7 +7,7 @@ use crate::ids::IdVec;
 use crate::math::{Mat3, Motion, Scalar, Vec3};
 use crate::model::{
     Attachment, BodyId, Chain, ClosureRank, Drive, Effort, Element, Frame, HingeId, InputKind,
-    Layout, Link, MergedWeld, MovesWith, Source,
+    Layout, Link, MergedWeld, MovesWith, Source, SpringId,
 };
 
 /// Rounding that each link adds to a constraint of the loop hinge, in units in the last place.
@@ -219,16 +219,27 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         let Drive::Efforts(efforts) = &self.chain.hinges[hinge].drive else {
             return vec![S::zero(); self.chain.hinges[hinge].kind.dof_count()];
         };
-        let mut inputs = 0;
-        let value = |effort: &Effort| match effort {
-            Effort::Free => S::zero(),
-            Effort::Constant(value) => self.values.scalar(value),
-            Effort::Input => {
-                inputs += 1;
-                self.inputs[self.layout.input(InputKind::Efforts(hinge))][inputs - 1]
-            }
+        let is_input = |effort: &&Effort| **effort == Effort::Input;
+        let value = |(index, effort)| {
+            let input =
+                (InputKind::Efforts(hinge), efforts[..index].iter().filter(is_input).count());
+            self.effort(effort, input).unwrap_or_else(S::zero)
         };
-        efforts.iter().map(value).collect()
+        efforts.iter().enumerate().map(value).collect()
+    }
+
+    /// Returns the force of a spring's actuator, if it has one.
+    pub fn spring_force(&self, spring: SpringId) -> Option<S> {
+        self.effort(&self.chain.springs[spring].force, (InputKind::SpringForce(spring), 0))
+    }
+
+    /// Returns an effort, which may be this component of an input.
+    fn effort(&self, effort: &Effort, (what, component): (InputKind, usize)) -> Option<S> {
+        match effort {
+            Effort::Free => None,
+            Effort::Constant(value) => Some(self.values.scalar(value)),
+            Effort::Input => Some(self.inputs[self.layout.input(what)][component]),
+        }
     }
 
     /// Returns a vector that may be an input. An input has components along `axes` only; the other

@@ -34,14 +34,15 @@ pub fn loads<S: Scalar>(
     wrenches
 }
 
-/// Returns the wrench of springs between bodies on every link, about its point, in its work axes.
+/// Returns the wrench of springs and dampers between bodies on every link, without their actuators, about its
+/// point, in its work axes.
 pub fn spring_wrenches<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
 ) -> PerLink<Wrench<S>> {
     let mut wrenches = PerLink::filled(Wrench::zero(), links.len());
     if !context.chain.springs.is_empty() {
-        Springs::new(context, links, &poses(context, links)).add_to(&mut wrenches);
+        Springs::new(context, links, &poses(context, links)).passive().add_to(&mut wrenches);
     }
     wrenches
 }

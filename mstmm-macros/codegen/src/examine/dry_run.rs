@@ -148,10 +148,7 @@ impl DryRun {
                 InputKind::Motion(hinge) => {
                     input.range.start + self.chain.hinges[hinge].kind.coordinates()
                 }
-                InputKind::Gravity
-                | InputKind::Efforts(_)
-                | InputKind::Force(_)
-                | InputKind::Torque(_) => input.range.start,
+                _ => input.range.start,
             };
             for index in first..input.range.end {
                 pose.inputs[index] = near_zero(OF_INPUTS + index, seed);

@@ -3,7 +3,7 @@
 
 use super::{
     Attachment, Body, BodyId, Chain, Drive, Effort, Hinge, HingeId, HingeKind, InputId, LinkId,
-    Load, LoadId, RepeatBoundary, RepeatId, Source,
+    Load, LoadId, RepeatBoundary, RepeatId, Source, SpringId,
 };
 use crate::ids::IdVec;
 use proc_macro2::Ident;
@@ -91,6 +91,8 @@ pub enum InputKind {
     Force(LoadId),
     /// The torque of a load.
     Torque(LoadId),
+    /// The force of a spring's actuator.
+    SpringForce(SpringId),
 }
 
 impl Layout {
@@ -176,15 +178,13 @@ impl Chain {
 
     /// Returns the name of the field of an input.
     pub fn name_of_input(&self, what: InputKind) -> Ident {
-        let of_load = |load: LoadId, what: &str| {
-            let name = &self.loads[load].name;
-            format_ident!("{name}_{what}", span = name.span())
-        };
+        let of = |name: &Ident, what: &str| format_ident!("{name}_{what}", span = name.span());
         match what {
             InputKind::Gravity => format_ident!("gravity"),
             InputKind::Efforts(hinge) | InputKind::Motion(hinge) => self.hinges[hinge].name.clone(),
-            InputKind::Force(load) => of_load(load, "force"),
-            InputKind::Torque(load) => of_load(load, "torque"),
+            InputKind::Force(load) => of(&self.loads[load].name, "force"),
+            InputKind::Torque(load) => of(&self.loads[load].name, "torque"),
+            InputKind::SpringForce(spring) => of(&self.springs[spring].name, "force"),
         }
     }
 }
@@ -250,6 +250,8 @@ fn inputs(chain: &Chain) -> IdVec<InputId, Input> {
             }
         }
     }
+    let actuated = chain.springs.enumerate().filter(|(_, spring)| spring.force == Effort::Input);
+    inputs.extend(actuated.map(|(index, _)| (InputKind::SpringForce(index), 1)));
     inputs.retain(|(_, count)| *count > 0);
     let ranges: Vec<Range<usize>> = consecutive(inputs.iter().map(|(_, count)| *count));
     inputs.iter().zip(ranges).map(|(&(what, _), range)| Input { what, range }).collect()

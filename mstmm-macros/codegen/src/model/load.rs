@@ -1,6 +1,6 @@
 //! Loads and springs on bodies.
 
-use super::{BodyId, Frame, Value};
+use super::{BodyId, Effort, Frame, Value};
 use proc_macro2::Ident;
 
 /// Where a vector comes from.
@@ -42,7 +42,7 @@ pub enum LoadAxes {
     Body,
 }
 
-/// A spring with a damper, from a body to the ground or to another body.
+/// A spring with a damper and an actuator, from a body to the ground or to another body.
 #[derive(Clone, Debug)]
 pub struct Spring {
     /// Its name; in a part, the names of the path joined by `_`.
@@ -59,6 +59,8 @@ pub struct Spring {
     pub damping: Value,
     /// Its length without load in m.
     pub length: Value,
+    /// The force of its actuator in N, which drives the rate of its length: positive if it pushes the ends apart.
+    pub force: Effort,
 }
 
 /// A point of a body.

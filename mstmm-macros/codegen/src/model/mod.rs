@@ -28,7 +28,9 @@ mod tests;
 mod unrolled;
 mod value;
 
-pub use crate::ids::{BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId};
+pub use crate::ids::{
+    BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId, SpringId,
+};
 pub use answer::Answer;
 pub use body_frames::{BodyFrame, FrameValues};
 pub use check::RESERVED_NAMES;
@@ -82,7 +84,7 @@ pub struct Chain {
     /// What acts on bodies from outside, in the order written.
     pub loads: IdVec<LoadId, Load>,
     /// Springs, in the order written.
-    pub springs: Vec<Spring>,
+    pub springs: IdVec<SpringId, Spring>,
     /// Repeated parts of routes, in the order written. Wherever something crosses the beginning or the end
     /// of a part, a massless body is welded in; these bodies and welds follow all other bodies and
     /// hinges.

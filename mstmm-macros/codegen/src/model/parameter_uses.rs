@@ -116,13 +116,17 @@ fn of_hinge(hinge: &Hinge) -> Vec<&Value> {
     let mut values: Vec<&Value> = start.iter().chain(start_rate).chain(rest).collect();
     values.extend(kind.values());
     if let Drive::Efforts(efforts) = drive {
-        values.extend(efforts.iter().filter_map(|effort| match effort {
-            Effort::Constant(value) => Some(value),
-            Effort::Free | Effort::Input => None,
-        }));
+        values.extend(efforts.iter().filter_map(of_effort));
     }
     values.extend(passive.iter().flat_map(of_passive));
     values
+}
+
+fn of_effort(effort: &Effort) -> Option<&Value> {
+    match effort {
+        Effort::Constant(value) => Some(value),
+        Effort::Free | Effort::Input => None,
+    }
 }
 
 fn of_passive(passive: &Passive) -> Vec<&Value> {
@@ -155,12 +159,12 @@ fn of_load(load: &Load) -> Vec<&Value> {
 }
 
 fn of_spring(spring: &Spring) -> Vec<&Value> {
-    let Spring { on, to, stiffness, damping, length, .. } = spring;
+    let Spring { on, to, stiffness, damping, length, force, .. } = spring;
     let (to, first) = match to {
         SpringEnd::Ground(point) => (point, None),
         SpringEnd::Body(point) => (&point.at, None),
         SpringEnd::Previous { point, first } => (&point.at, Some(&first.at)),
     };
     let ends = on.at.iter().chain(to).chain(first.into_iter().flatten());
-    ends.chain([stiffness, damping, length]).collect()
+    ends.chain([stiffness, damping, length]).chain(of_effort(force)).collect()
 }

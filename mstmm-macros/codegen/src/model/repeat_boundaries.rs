@@ -179,6 +179,7 @@ impl Chain {
             InputKind::Force(load) | InputKind::Torque(load) => {
                 self.repeat_of_body(self.loads[load].body)
             }
+            InputKind::SpringForce(spring) => self.repeat_of_body(self.springs[spring].on.body),
         }
     }
 

@@ -41,7 +41,7 @@ impl Chain {
             elements: self.elements_of_all(most, &bodies, &hinges),
             repeats: IdVec::new(),
             loads: IdVec::new(),
-            springs: Vec::new(),
+            springs: IdVec::new(),
             ..self.clone()
         }
     }

@@ -148,12 +148,14 @@ fn by_definition(sample: &Sample) {
             .iter()
             .map(|_| LoadInput { force: vector(list(3)), torque: vector(list(3)) })
             .collect(),
+        actuators: list(none.actuators.len()),
         ..none
     };
     // Inputs are linear in all drives except motions.
     let drives = Drives {
         efforts: change.efforts.clone(),
         loads: change.loads.clone(),
+        springs: change.actuators.clone(),
         gravity: change.gravity,
         ..sample.drives.clone()
     };

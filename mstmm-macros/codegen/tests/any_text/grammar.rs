@@ -103,7 +103,7 @@ const SPACE: Dimension = Dimension {
     of_hinges: "damping = K;|motion = input;|stiffness = 2;|friction = 1; friction_speed = 1e-3;\
         |start = 0.1;|start = rpy(0, 0, 1);|armature = 0.1;|torque = input;",
     of_loads: "on = b0; force = [1, 0, 0]; torque = input;|force = input; at = tip; on = b0;|on = b1; torque = [1, 0, K];",
-    of_springs: "on = b0; to = [1, 0, 0]; stiffness = 2; length = 1;|on = b1; to = [K, 0, 0]; at = tip; damping = 1;",
+    of_springs: "on = b0; to = [1, 0, 0]; stiffness = 2; length = 1;|on = b1; to = [K, 0, 0]; at = tip; damping = 1;|force = input; on = b1; to = b0.tip; force = K;",
     gravity: "input|[0, -9.8, 0]|[0, 0, K]",
 };
 
@@ -117,7 +117,7 @@ const PLANE: Dimension = Dimension {
     of_hinges: "stiffness = 2; rest = 0.5;|armature = 0.1;|torque = input;|force = 3;|motion = input;\
         |limits = [-1, 1]; limit_stiffness = 5;|turning_stiffness = 1e308;|stiffness = 1e-320;",
     of_loads: "on = b0; force = [1, 0]; torque = input;|force = input; at = tip; on = b0;|on = b1; torque = K;",
-    of_springs: "on = b0; to = [1, 0]; stiffness = 2; length = 1;|on = b1; to = [K, 0]; at = tip; damping = 1;",
+    of_springs: "on = b0; to = [1, 0]; stiffness = 2; length = 1;|on = b1; to = [K, 0]; at = tip; damping = 1;|force = input; on = b1; to = b0.tip; force = K;",
     gravity: "input|[0, -9.8]|[0, K]",
 };
 
@@ -130,7 +130,7 @@ const LINE: Dimension = Dimension {
     of_hinges: "stiffness = K; rest = 1;|damping = 2;|force = input;|force = 3;|motion = input;\
         |start = 1; start_velocity = K;|limits = [-1, 1]; limit_stiffness = 5;",
     of_loads: "on = b0; force = 1;|force = input; at = tip; on = b0;|on = b1; force = K;",
-    of_springs: "on = b0; to = 1; stiffness = 2; length = 1;|on = b1; to = K; at = tip; damping = 1;",
+    of_springs: "on = b0; to = 1; stiffness = 2; length = 1;|on = b1; to = K; at = tip; damping = 1;|force = input; on = b1; to = b0.tip; force = K;",
     gravity: "input|-9.8|K",
 };
 

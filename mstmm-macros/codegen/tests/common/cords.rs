@@ -1,7 +1,7 @@
 //! Chains with springs between bodies.
 
 use super::twins::{Numbers, Twin, Twins};
-use mstmm_codegen::ids::BodyId;
+use mstmm_codegen::ids::{BodyId, SpringId};
 use mstmm_codegen::model::{BodyPoint, Chain, SpringEnd, Value};
 use std::fmt::Write;
 
@@ -67,7 +67,7 @@ fn point(chain: &Chain, (name, at): End) -> BodyPoint {
 }
 
 /// Returns the chain of a text with springs; `SPRINGS` in the text stands for them. The stiffness of springs on bodies `d` is
-/// a parameter if the text has one.
+/// a parameter if the text has one. With a parameter `push` all springs have actuators, and the forces of some are inputs.
 pub fn with_springs(text: &str, cords: &[Cord]) -> Twin {
     let to = if text.contains("line chain") {
         "0 m"
@@ -82,10 +82,15 @@ pub fn with_springs(text: &str, cords: &[Cord]) -> Twin {
             Some(repetition) if text.contains("param hard") => format!("hard{repetition}"),
             _ => "30 N/m".to_owned(),
         };
+        let force = match text.contains("param push") {
+            true if name.starts_with("to_") || name.starts_with("cord") => "force = input;",
+            true => "force = push;",
+            false => "",
+        };
         let length = if name.starts_with("lower") { "0 m" } else { "0.3 m" };
         write!(
             blocks,
-            "spring {name} {{ on = {on}; to = {to}; stiffness = {stiffness}; damping = 2; length = {length}; }}"
+            "spring {name} {{ on = {on}; to = {to}; stiffness = {stiffness}; damping = 2; length = {length}; {force} }}"
         )
         .expect("text can be written");
     }
@@ -100,7 +105,7 @@ pub fn with_springs(text: &str, cords: &[Cord]) -> Twin {
                 }
             };
             let on = point(chain, *on);
-            let spring = &mut chain.springs[index];
+            let spring = &mut chain.springs[SpringId(index)];
             (spring.on, spring.to) = (on, to);
         }
     };
@@ -142,8 +147,9 @@ pub fn routes(dimension: usize) -> (String, Vec<Cord>) {
     (text, cords)
 }
 
-/// The route of a chain with two repeated parts, and the springs of all kinds that such parts may have.
-pub fn twins(dimension: usize, method: &str) -> Twins {
+/// The route of a chain with two repeated parts, and the springs of all kinds that such parts may have; `push` may be the
+/// parameter of their actuators.
+pub fn twins(dimension: usize, method: &str, push: &str) -> Twins {
     let (word, bodies) = BODIES[dimension];
     let [ball, pin, slider] = match dimension {
         0 => ["ball", "pin([1, 2, 3])", "slider(z)"],
@@ -155,7 +161,7 @@ pub fn twins(dimension: usize, method: &str) -> Twins {
             part(&format!("{ball} a% -> Rod b% -> weld w% -> Rod m% -> {pin} c% -> Rod d%"), 3);
         let second = part(&format!("{pin} e% -> Rod f%"), 2);
         format!(
-            "{word}chain Cords {{ answers = bias_efforts; method = {method}; {parameters} {bodies}
+            "{word}chain Cords {{ answers = bias_efforts; method = {method}; {push} {parameters} {bodies}
             ground -> {pin} root -> Base base -> {first} -> {slider} g -> Base middle -> {second} -> {ball} h
             -> Base weight; SPRINGS }}"
         )

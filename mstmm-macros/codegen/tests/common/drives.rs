@@ -28,6 +28,7 @@ pub fn inputs(chain: &Chain, truth: &mstmm_reference::Chain, drives: &Drives) ->
             InputKind::Gravity => pick(&drives.gravity, translations),
             InputKind::Force(load) => pick(&drives.loads[load.index()].force, translations),
             InputKind::Torque(load) => pick(&drives.loads[load.index()].torque, rotations),
+            InputKind::SpringForce(spring) => vec![drives.springs[spring.index()]],
             InputKind::Efforts(hinge) => motor(chain, &layout, hinge, &drives.efforts),
             InputKind::Motion(hinge) => motion(chain, hinge, truth, drives),
         }
@@ -89,6 +90,13 @@ fn input_values(
         InputKind::Gravity => pick(&drives.gravity, translations),
         InputKind::Force(id) => of_load(id, &|name| pick(&load(name).force, translations)),
         InputKind::Torque(id) => of_load(id, &|name| pick(&load(name).torque, rotations)),
+        InputKind::SpringForce(id) => {
+            let names = repeated(&chain.springs[id].name.to_string(), times);
+            let place =
+                |name: &String| truth.springs.iter().position(|spring| spring.name == *name);
+            let force = |name| drives.springs[place(name).expect("a spring of this name")];
+            names.iter().map(force).collect()
+        }
         InputKind::Efforts(id) => {
             let (name, hinge) = hinge(id);
             let Drive::Efforts(kinds) = &hinge.drive else { return Vec::new() };

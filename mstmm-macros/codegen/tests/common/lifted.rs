@@ -35,6 +35,7 @@ pub fn lifted(mut chain: Chain) -> Chain {
         }
         let numbers = [&mut spring.stiffness, &mut spring.damping, &mut spring.length];
         numbers.into_iter().for_each(|value| lift.value(value));
+        lift.effort(&mut spring.force);
     }
     Chain { parameters: lift.parameters, ..chain }
 }
@@ -163,13 +164,15 @@ impl Lift {
         }
         self.all(&mut hinge.rest);
         if let Drive::Efforts(efforts) = &mut hinge.drive {
-            for effort in efforts {
-                if let Effort::Constant(value) = effort {
-                    self.value(value);
-                }
-            }
+            efforts.iter_mut().for_each(|effort| self.effort(effort));
         }
         hinge.passive.iter_mut().for_each(|passive| self.passive(passive));
+    }
+
+    fn effort(&mut self, effort: &mut Effort) {
+        if let Effort::Constant(value) = effort {
+            self.value(value);
+        }
     }
 
     fn passive(&mut self, passive: &mut Passive) {

@@ -181,13 +181,14 @@ impl Twin {
 
     /// Returns the kind of an input, and the name of the element that it belongs to.
     fn name_of(&self, input: InputId) -> (usize, String) {
-        let (hinges, loads) = (&self.chain.hinges, &self.chain.loads);
+        let Chain { hinges, loads, springs, .. } = &self.chain;
         match self.layout.inputs[input].what {
             InputKind::Gravity => (0, String::new()),
             InputKind::Efforts(hinge) => (1, hinges[hinge].name.to_string()),
             InputKind::Motion(hinge) => (2, hinges[hinge].name.to_string()),
             InputKind::Force(load) => (3, loads[load].name.to_string()),
             InputKind::Torque(load) => (4, loads[load].name.to_string()),
+            InputKind::SpringForce(spring) => (5, springs[spring].name.to_string()),
         }
     }
 

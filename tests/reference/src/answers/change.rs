@@ -21,6 +21,8 @@ pub struct Change {
     pub efforts: Vec<f64>,
     /// The change of the inputs of loads; values that are not inputs are ignored.
     pub loads: Vec<LoadInput>,
+    /// The change of the forces of actuators of springs; values that are not inputs are ignored.
+    pub actuators: Vec<f64>,
     /// The change of gravity, if gravity is an input.
     pub gravity: [f64; 3],
 }
@@ -35,6 +37,7 @@ impl Answers<'_> {
             accelerations: none.clone(),
             efforts: none,
             loads: vec![LoadInput::default(); self.now.loads.len()],
+            actuators: vec![0.0; self.now.actuators.len()],
             gravity: [0.0; 3],
         }
     }
@@ -69,6 +72,12 @@ impl Answers<'_> {
         for ((load, by), [force, torque]) in loads.zip(&mut changed.loads) {
             add(force, by.force, load.force == Source::Input);
             add(torque, by.torque, load.torque == Source::Input);
+        }
+        let springs = self.mechanism.chain.springs.iter().zip(&change.actuators);
+        for ((spring, &by), force) in springs.zip(&mut changed.actuators) {
+            if spring.force == Source::Input {
+                *force += step * Real::new(by);
+            }
         }
         add(&mut changed.gravity, change.gravity, self.mechanism.chain.gravity == Gravity::Input);
         changed

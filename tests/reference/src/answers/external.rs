@@ -18,7 +18,8 @@ pub(super) struct Acting {
 pub(super) fn acting(chain: &Chain, now: &Now, poses: &[Pose]) -> Vec<Acting> {
     let loads = chain.loads.iter().zip(&now.loads);
     let loads = loads.map(|(load, inputs)| of_load(chain, load, *inputs, poses));
-    let springs = chain.springs.iter().flat_map(|spring| of_spring(chain, spring, poses));
+    let springs = chain.springs.iter().zip(&now.actuators);
+    let springs = springs.flat_map(|(spring, &push)| of_spring(chain, spring, push, poses));
     loads.chain(springs).collect()
 }
 
@@ -32,7 +33,7 @@ fn of_load(chain: &Chain, load: &Load, [force, couple]: [Vector; 2], poses: &[Po
     Acting { body, at, force, couple }
 }
 
-fn of_spring(chain: &Chain, spring: &Spring, poses: &[Pose]) -> Vec<Acting> {
+fn of_spring(chain: &Chain, spring: &Spring, push: Real, poses: &[Pose]) -> Vec<Acting> {
     let none = [Real::new(0.0); 3];
     let from = point(chain, &spring.body, &spring.at);
     let to = match &spring.to {
@@ -52,7 +53,8 @@ fn of_spring(chain: &Chain, spring: &Spring, poses: &[Pose]) -> Vec<Acting> {
     }
     let direction = scaled(between, length.recip());
     let tension = Real::new(spring.stiffness) * (length - Real::new(spring.length))
-        + Real::new(spring.damping) * dot(direction, velocity);
+        + Real::new(spring.damping) * dot(direction, velocity)
+        - push;
     let force = scaled(direction, -tension);
     let on = |(body, at): (usize, Vector), force| Acting { body, at, force, couple: none };
     let opposite = to.ok().map(|to| on(to, force.map(|entry| -entry)));

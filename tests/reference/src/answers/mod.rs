@@ -67,8 +67,21 @@ struct Now {
     prescribed: Vec<Option<Motion>>,
     efforts: Vec<Real>,
     loads: Vec<[Vector; 2]>,
+    /// The forces of the actuators of springs.
+    actuators: Vec<Real>,
     gravity: Vector,
     matter: Vec<Matter>,
+}
+
+impl Now {
+    /// Returns the same without loads and without the actuators of springs.
+    fn without_loads(&self) -> Now {
+        Now {
+            loads: vec![[[Real::new(0.0); 3]; 2]; self.loads.len()],
+            actuators: vec![Real::new(0.0); self.actuators.len()],
+            ..self.clone()
+        }
+    }
 }
 
 /// The velocity of a body's frame and its angular velocity.
@@ -99,6 +112,8 @@ impl Chain {
             let both = [vector(&load.force, input.force), vector(&load.torque, input.torque)];
             both.map(|vector| vector.map(Real::new))
         };
+        let actuators = self.springs.iter().zip(&drives.springs);
+        let actuators = actuators.map(|(spring, &input)| spring.actuator(input));
         let now = Now {
             q: reals(&state.q),
             v: reals(&state.v),
@@ -106,6 +121,7 @@ impl Chain {
             prescribed: prescribed.collect(),
             efforts: base.into_iter().chain(motors).collect(),
             loads: self.loads.iter().zip(&drives.loads).map(load).collect(),
+            actuators: actuators.map(Real::new).collect(),
             gravity: <[f64; 3]>::from(mechanism.gravity).map(Real::new),
             matter: self.bodies().map(Matter::of).collect(),
         };
@@ -133,8 +149,7 @@ impl Answers<'_> {
     /// Returns the efforts with which springs, dampers, friction and limits of all free hinges act, and
     /// those of springs between bodies.
     pub fn passive_efforts(&self) -> Vec<f64> {
-        let now =
-            Now { loads: vec![[[Real::new(0.0); 3]; 2]; self.now.loads.len()], ..self.now.clone() };
+        let now = self.now.without_loads();
         let mut efforts = self.applied(&now);
         self.for_each_hinge(&now, |first, passive| {
             for (k, &effort) in passive.efforts.iter().enumerate() {
@@ -144,10 +159,9 @@ impl Answers<'_> {
         floats(&efforts)
     }
 
-    /// Returns the efforts with which the loads act.
+    /// Returns the efforts with which the loads and the actuators of springs act.
     pub fn load_efforts(&self) -> Vec<f64> {
-        let without =
-            Now { loads: vec![[[Real::new(0.0); 3]; 2]; self.now.loads.len()], ..self.now.clone() };
+        let without = self.now.without_loads();
         let (all, springs) = (self.applied(&self.now), self.applied(&without));
         all.iter().zip(&springs).map(|(&all, &springs)| (all - springs).high).collect()
     }

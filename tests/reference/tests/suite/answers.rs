@@ -151,6 +151,7 @@ fn derivatives_of_accelerations_follow_from_those_of_efforts() {
             let mut vector = || [0.0; 3].map(|_: f64| random.between(-1.0, 1.0));
             *load = LoadInput { force: vector(), torque: vector() };
         }
+        change.actuators.iter_mut().for_each(|force| *force = random.between(-1.0, 1.0));
         let accelerations = answers.accelerations();
         let along = answers.accelerations_along(&change);
         let held = answers.inverse_dynamics_along(&accelerations, &change);

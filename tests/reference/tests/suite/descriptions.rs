@@ -192,6 +192,7 @@ fn text_of_a_chain_in_the_plane() {
         stiffness: 10.0,
         damping: 0.0,
         length: 0.5,
+        force: Source::Input,
     });
     let expected = "\
 pub plane chain Flat {
@@ -206,7 +207,7 @@ pub plane chain Flat {
     moving cart -> pin j1 -> Bar bar -> slider([0.5, -1.0]) j2 -> ground at [1.0, 2.0] m turned \
 -45.0 deg;
     load push { on = bar; at = tip; force = [1.0, -2.0] N; torque = input; axes = body; }
-    spring s1 { on = bar; at = output; to = [0.0, 3.0] m; stiffness = 10.0 N/m; length = 0.5 m; }
+    spring s1 { on = bar; at = output; to = [0.0, 3.0] m; stiffness = 10.0 N/m; length = 0.5 m; force = input; }
 }
 ";
     assert_eq!(chain.to_macro_text(None), expected);

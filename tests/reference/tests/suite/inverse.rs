@@ -2,7 +2,7 @@
 
 use crate::samples::{Case, assert_close, plain_cases, rich_cases};
 use crate::trees::trees;
-use mstmm_reference::{Drives, Element, End, Gravity, Group, Hinge, State};
+use mstmm_reference::{Drives, Element, End, Gravity, Group, Hinge, Source, State};
 
 /// The tolerance relative to the largest effort: the rounding error of a dense system of up to 66
 /// unknowns, at most 7e-13 in the chains tried.
@@ -122,7 +122,10 @@ fn bias_efforts_balance_the_power() {
 fn conserve(case: &mut Case) {
     let chain = &mut case.chain;
     chain.loads.clear();
-    chain.springs.iter_mut().for_each(|spring| spring.damping = 0.0);
+    for spring in &mut chain.springs {
+        spring.damping = 0.0;
+        spring.force = Source::None;
+    }
     if chain.gravity == Gravity::Input {
         chain.gravity = Gravity::Constant(case.drives.gravity);
     }

@@ -84,7 +84,7 @@ fn acting_on(case: &Case, solution: &Solution, number: usize) -> Vec<BodyLoad> {
             });
         }
     }
-    for spring in &case.chain.springs {
+    for (spring, &input) in case.chain.springs.iter().zip(&case.drives.springs) {
         let ends = ends_of(case, solution, spring);
         let on_this = spring.body == body.name;
         let to_this = matches!(&spring.to, SpringEnd::Body { body: to, .. } if *to == body.name);
@@ -98,11 +98,12 @@ fn acting_on(case: &Case, solution: &Solution, number: usize) -> Vec<BodyLoad> {
             let pull = direction * (spring.stiffness * (between.norm() - spring.length));
             let rate = direction.dot(&(own[1] - other[1]));
             let damping = direction * (spring.damping * rate);
+            let push = direction * spring.actuator(input);
             all.push(BodyLoad {
                 position: own[0],
                 velocity: own[1],
-                force: -pull - damping,
-                force_without_potential: -damping,
+                force: push - pull - damping,
+                force_without_potential: push - damping,
                 couple: Vector3::zeros(),
             });
         }

@@ -54,6 +54,7 @@ fn conserve(chain: &mut Chain) {
     chain.loads.clear();
     for spring in &mut chain.springs {
         spring.damping = 0.0;
+        spring.force = Source::None;
         // A motion along a line can pass through the point on the ground, where the force would jump.
         spring.length = 0.0;
     }

@@ -41,11 +41,13 @@ fn springs_have_the_lengths_between_their_ends() {
     for case in trees() {
         let solution = case.solve();
         assert_eq!(solution.springs.len(), case.chain.springs.len());
-        for (spring, found) in case.chain.springs.iter().zip(&solution.springs) {
+        let springs = case.chain.springs.iter().zip(&case.drives.springs);
+        for ((spring, &input), found) in springs.zip(&solution.springs) {
             let [[here, velocity], [there, other]] = ends_of(&case, &solution, spring);
             let length = (here - there).norm();
             let rate = (here - there).dot(&(velocity - other)) / length;
-            let tension = spring.stiffness * (length - spring.length) + spring.damping * rate;
+            let elastic = spring.stiffness * (length - spring.length);
+            let tension = elastic + spring.damping * rate - spring.actuator(input);
             let force = (there - here) * (tension / length);
             for (found, expected) in [
                 (found.length, length),

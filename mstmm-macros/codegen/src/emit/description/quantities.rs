@@ -105,6 +105,10 @@ pub fn input_rows(cx: &EmitContext) -> Vec<InputRow> {
                     QuantityKind::Torque,
                 )]
             }
+            InputKind::SpringForce(spring) => {
+                let path = indexed(&cx.chain.springs[spring].path, repeat.is_some());
+                vec![(format!("{path}.force"), components(1), QuantityKind::Force)]
+            }
         };
         rows.extend(parts.into_iter().map(|(path, components, kind)| InputRow {
             path,

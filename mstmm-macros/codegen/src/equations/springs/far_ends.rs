@@ -7,6 +7,7 @@
 
 use super::super::sweep::Flatten;
 use super::{PointForce, SpringSpan, Springs, to_point};
+use crate::ids::{IdVec, SpringId};
 use crate::math::{Rotation, Scalar, Vec3};
 use crate::model::{BodyPoint, RepeatId, Spring, SpringEnd};
 
@@ -69,8 +70,8 @@ impl<S: Scalar> Springs<'_, S> {
 
     /// Returns the indices of the springs that a repeated part has in every repetition, and that end
     /// outside of the repetition.
-    fn leaving(&self, repeat: RepeatId) -> Vec<usize> {
-        let springs = self.context.chain.springs.iter().enumerate();
+    fn leaving(&self, repeat: RepeatId) -> Vec<SpringId> {
+        let springs = self.context.chain.springs.enumerate();
         let leaves = |spring: &Spring| {
             self.context.chain.repeat_of_body(spring.on.body) == Some(repeat)
                 && self.outside(spring).is_some()
@@ -79,8 +80,8 @@ impl<S: Scalar> Springs<'_, S> {
     }
 
     /// Returns the indices of the springs from outside to the last repetition of a part.
-    fn entering(&self, repeat: RepeatId) -> Vec<usize> {
-        let springs = self.context.chain.springs.iter().enumerate();
+    fn entering(&self, repeat: RepeatId) -> Vec<SpringId> {
+        let springs = self.context.chain.springs.enumerate();
         let enters = |spring: &Spring| {
             let outside = self.outside(spring);
             outside.is_some_and(|to| self.context.chain.repeat_of_body(to.body) == Some(repeat))
@@ -89,13 +90,13 @@ impl<S: Scalar> Springs<'_, S> {
     }
 
     /// Returns the end of a spring outside, which exists.
-    fn outside_of(&self, index: usize) -> &BodyPoint {
+    fn outside_of(&self, index: SpringId) -> &BodyPoint {
         let outside = self.outside(&self.context.chain.springs[index]);
-        outside.unwrap_or_else(|| bug!("spring {index} has no end outside"))
+        outside.unwrap_or_else(|| bug!("spring {index:?} has no end outside"))
     }
 
     /// Returns the point of the previous repetition at which a spring ends.
-    fn previous(&self, index: usize) -> Option<&BodyPoint> {
+    fn previous(&self, index: SpringId) -> Option<&BodyPoint> {
         match &self.context.chain.springs[index].to {
             SpringEnd::Previous { point, .. } => Some(point),
             SpringEnd::Ground(_) | SpringEnd::Body(_) => None,
@@ -104,9 +105,9 @@ impl<S: Scalar> Springs<'_, S> {
 
     /// Returns the motions of the ends `to` that are not in the same repetition as the ends `on`, by
     /// springs.
-    pub(super) fn far_ends(&self) -> Vec<Option<PointMotion<S>>> {
+    pub(super) fn far_ends(&self) -> IdVec<SpringId, Option<PointMotion<S>>> {
         let chain = self.context.chain;
-        let mut ends: Vec<Option<PointMotion<S>>> = chain
+        let mut ends: IdVec<SpringId, Option<PointMotion<S>>> = chain
             .springs
             .iter()
             .map(|spring| Some(self.motion_of(self.outside(spring)?)))
@@ -126,7 +127,7 @@ impl<S: Scalar> Springs<'_, S> {
         }
         for repeat in chain.repeats.ids() {
             let leaving = self.leaving(repeat).into_iter();
-            let points: Vec<(usize, &BodyPoint)> =
+            let points: Vec<(SpringId, &BodyPoint)> =
                 leaving.filter_map(|index| Some((index, self.previous(index)?))).collect();
             let first = points.iter().filter_map(|&(index, _)| ends[index]).collect();
             let next = points.iter().map(|(_, point)| self.motion_of(point)).collect();
@@ -142,10 +143,10 @@ impl<S: Scalar> Springs<'_, S> {
         let chain = self.context.chain;
         let mut forces = Vec::new();
         // The reactions on the ends outside, inertial axes.
-        let mut reactions = vec![Vec3::zero(); chain.springs.len()];
-        for (index, (spring, span)) in self.all().enumerate() {
+        let mut reactions = IdVec::filled(Vec3::zero(), chain.springs.len());
+        for (index, spring, span) in self.all() {
             let SpringSpan::Far(end) = span else { continue };
-            let force = self.force(spring, &self.far(spring, end));
+            let force = self.force(index, &self.far(spring, end));
             forces.extend(self.on_link(&spring.on, force));
             if self.outside(spring).is_some() {
                 reactions[index] = -force;
@@ -155,7 +156,7 @@ impl<S: Scalar> Springs<'_, S> {
         }
         for repeat in chain.repeats.ids() {
             let leaving = self.leaving(repeat);
-            let (previous, others): (Vec<usize>, Vec<usize>) =
+            let (previous, others): (Vec<SpringId>, Vec<SpringId>) =
                 leaving.into_iter().partition(|&index| self.previous(index).is_some());
             self.add_up(repeat, &others, &mut reactions);
             let next: Vec<Vec3<S>> = previous.iter().map(|&index| reactions[index]).collect();
@@ -176,7 +177,7 @@ impl<S: Scalar> Springs<'_, S> {
                 self.context.tree.through((repeat, INWARD), last, |here| (others, here));
             entering.iter().zip(here).for_each(|(&index, here)| reactions[index] = here);
         }
-        for (index, spring) in chain.springs.iter().enumerate() {
+        for (index, spring) in chain.springs.enumerate() {
             let outside = self.outside(spring);
             forces.extend(outside.and_then(|point| self.on_link(point, reactions[index])));
         }
@@ -184,7 +185,12 @@ impl<S: Scalar> Springs<'_, S> {
     }
 
     /// Replaces reactions in any repetition by their sums over all repetitions.
-    fn add_up(&self, repeat: RepeatId, springs: &[usize], reactions: &mut [Vec3<S>]) {
+    fn add_up(
+        &self,
+        repeat: RepeatId,
+        springs: &[SpringId],
+        reactions: &mut IdVec<SpringId, Vec3<S>>,
+    ) {
         let none = vec![Vec3::zero(); springs.len()];
         let (sums, ()) =
             self.context.tree.through((repeat, OUTWARD), none, |sums: Vec<Vec3<S>>| {

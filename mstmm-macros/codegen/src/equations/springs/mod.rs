@@ -1,10 +1,11 @@
-//! Springs with dampers, from a body to the ground or to another body.
+//! Springs with dampers and actuators, from a body to the ground or to another body.
 //!
 //! | symbol | meaning |
 //! |---|---|
 //! | `r`, `l` | vector from the end `to` to the end `on`, and its length |
 //! | `k`, `c`, `l₀` | stiffness, damping, length without load |
-//! | `k (l − l₀) + c l̇` | tension, which pulls the ends together |
+//! | `f` | force of the actuator, which pushes the ends apart |
+//! | `k (l − l₀) + c l̇ − f` | tension, which pulls the ends together |
 //!
 //! A spring with one moving end is evaluated in the work axes of the link there. A spring between two
 //! links is evaluated in the axes of their last common link, relative to which `l` and `l̇` are the same,
@@ -19,7 +20,7 @@ use super::EvalContext;
 use super::kinematics::{LinkKinematics, Pose, link_of};
 use super::strategy::MAX_SPRING_PATH;
 use super::sweep::PerLink;
-use crate::ids::LinkId;
+use crate::ids::{IdVec, LinkId, SpringId};
 use crate::math::{Rotation, Scalar, Vec3, Wrench};
 use crate::model::{BodyPoint, Spring, SpringEnd};
 use far_ends::PointMotion;
@@ -30,7 +31,9 @@ pub struct Springs<'a, S> {
     links: &'a PerLink<LinkKinematics<S>>,
     poses: &'a PerLink<Pose<S>>,
     /// What each spring acts on.
-    spans: Vec<SpringSpan<S>>,
+    spans: IdVec<SpringId, SpringSpan<S>>,
+    /// Whether actuators act.
+    actuated: bool,
 }
 
 /// What a spring acts on.
@@ -71,7 +74,7 @@ impl<'a, S: Scalar> Springs<'a, S> {
         links: &'a PerLink<LinkKinematics<S>>,
         poses: &'a PerLink<Pose<S>>,
     ) -> Self {
-        let mut springs = Springs { context, links, poses, spans: Vec::new() };
+        let mut springs = Springs { context, links, poses, spans: IdVec::new(), actuated: true };
         let far_ends = springs.far_ends().into_iter();
         springs.spans = context
             .chain
@@ -83,21 +86,26 @@ impl<'a, S: Scalar> Springs<'a, S> {
         springs
     }
 
+    /// Returns the springs and dampers without their actuators.
+    pub fn passive(self) -> Self {
+        Springs { actuated: false, ..self }
+    }
+
     /// Adds the wrenches of all springs to those of the links, about their points, in work axes.
     pub fn add_to(&self, wrenches: &mut PerLink<Wrench<S>>) {
         let mut add = |PointForce { link, arm, force }: PointForce<S>| {
             let wrench = Wrench { force, moment: Vec3::zero() };
             wrenches[link] = wrenches[link] + wrench.shifted_from(arm);
         };
-        for (spring, span) in self.all() {
+        for (id, spring, span) in self.all() {
             match span {
                 SpringSpan::AtRest | SpringSpan::Far(_) => {}
                 &SpringSpan::OneLink { link, reversed } => {
                     let (arm, _, motion) = self.on_one_link(spring, link, reversed);
-                    add(PointForce { link, arm, force: self.force(spring, &motion) });
+                    add(PointForce { link, arm, force: self.force(id, &motion) });
                 }
                 SpringSpan::TwoLinks { paths, .. } => {
-                    self.forces_on_two_links(spring, paths).into_iter().for_each(&mut add);
+                    self.forces_on_two_links(id, paths).into_iter().for_each(&mut add);
                 }
             }
         }
@@ -108,7 +116,7 @@ impl<'a, S: Scalar> Springs<'a, S> {
     /// that of the end `on` if both ends move; `None` for those at rest.
     pub fn energy(&self, on: Option<LinkId>) -> S {
         let mut energy = S::zero();
-        for (spring, span) in self.all() {
+        for (_, spring, span) in self.all() {
             let link = match span {
                 SpringSpan::OneLink { link, .. } => Some(*link),
                 _ => self.link_at(&spring.on),
@@ -144,8 +152,9 @@ impl<'a, S: Scalar> Springs<'a, S> {
     }
 
     /// Iterates over all springs with what they act on.
-    fn all(&self) -> impl Iterator<Item = (&'a Spring, &SpringSpan<S>)> {
-        self.context.chain.springs.iter().zip(&self.spans)
+    fn all(&self) -> impl Iterator<Item = (SpringId, &'a Spring, &SpringSpan<S>)> {
+        let springs = self.context.chain.springs.enumerate();
+        springs.zip(&self.spans).map(|((id, spring), span)| (id, spring, span))
     }
 
     /// Returns what a spring acts on whose ends are in the same repetition.
@@ -264,11 +273,12 @@ impl<'a, S: Scalar> Springs<'a, S> {
     }
 
     /// Returns the forces on both links; none if both ends are on the same link.
-    fn forces_on_two_links(&self, spring: &Spring, paths: &[Vec<LinkId>; 2]) -> Vec<PointForce<S>> {
+    fn forces_on_two_links(&self, id: SpringId, paths: &[Vec<LinkId>; 2]) -> Vec<PointForce<S>> {
         if paths.iter().all(Vec::is_empty) {
             return Vec::new();
         }
-        let force = self.force(spring, &self.on_two_links(spring, paths));
+        let spring = &self.context.chain.springs[id];
+        let force = self.force(id, &self.on_two_links(spring, paths));
         let [on, to] = self.ends_on_two_links(spring, paths);
         let points = [(&spring.on, on, force), (to_point(spring), to, -force)];
         let on_link = |(point, (arm, path), force): (&BodyPoint, (Vec3<S>, &[LinkId]), Vec3<S>)| {
@@ -292,21 +302,30 @@ impl<'a, S: Scalar> Springs<'a, S> {
         }
     }
 
-    /// Returns `−(k (l − l₀) + c l̇) r / l`: the force on the end `on`, for a reversed spring on the end
-    /// `to`.
-    fn force(&self, spring: &Spring, motion: &SpringMotion<S>) -> Vec3<S> {
-        -(motion.displacement * self.tension_per_length(spring, motion))
+    /// Returns `−(k (l − l₀) + c l̇ − f) r / l`: the force on the end `on`, for a reversed spring on the
+    /// end `to`.
+    fn force(&self, id: SpringId, motion: &SpringMotion<S>) -> Vec3<S> {
+        -(motion.displacement * self.tension_per_length(id, motion))
     }
 
     /// Returns the tension divided by the length. Its product with `r` is zero if the length is zero.
-    fn tension_per_length(&self, spring: &Spring, motion: &SpringMotion<S>) -> S {
-        let values = self.context.values;
+    fn tension_per_length(&self, id: SpringId, motion: &SpringMotion<S>) -> S {
+        let (spring, values) = (&self.context.chain.springs[id], self.context.values);
         let &SpringMotion { displacement, velocity } = motion;
         let [stiffness, damping, length] =
             [&spring.stiffness, &spring.damping, &spring.length].map(|value| values.scalar(value));
         let inverse = inverse_length(displacement);
         let damped = damping * displacement.dot(velocity) * (inverse * inverse);
-        stiffness - stiffness * length * inverse + damped
+        let tension = stiffness - stiffness * length * inverse + damped;
+        match self.actuator_force(id) {
+            None => tension,
+            Some(force) => tension - force * inverse,
+        }
+    }
+
+    /// Returns the force `f` of an actuator that acts.
+    fn actuator_force(&self, id: SpringId) -> Option<S> {
+        self.actuated.then(|| self.context.spring_force(id)).flatten()
     }
 }
 

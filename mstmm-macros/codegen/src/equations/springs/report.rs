@@ -3,8 +3,8 @@
 use super::super::kinematics::poses;
 use super::super::{Axes, EvalContext, Trace, kinematics};
 use super::{SpringSpan, Springs, regular_length};
+use crate::ids::SpringId;
 use crate::math::{Scalar, Vec3};
-use crate::model::Spring;
 
 /// The state of a spring.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ pub fn spring_report<S: Scalar>(
     let links = kinematics(context, axes, &mut Trace::silent());
     let poses = poses(context, &links);
     let springs = Springs::new(context, &links, &poses);
-    let reports = springs.all().map(|(spring, span)| springs.report(spring, span));
+    let reports = springs.all().map(|(id, _, span)| springs.report(id, span));
     let reports: Vec<SpringReport<S>> = reports.collect();
     trace.section("springs", "Springs", "");
     for (spring, report) in chain.springs.iter().zip(&reports) {
@@ -46,7 +46,8 @@ pub fn spring_report<S: Scalar>(
 }
 
 impl<S: Scalar> Springs<'_, S> {
-    fn report(&self, spring: &Spring, span: &SpringSpan<S>) -> SpringReport<S> {
+    fn report(&self, id: SpringId, span: &SpringSpan<S>) -> SpringReport<S> {
+        let spring = &self.context.chain.springs[id];
         // The vector `r` or its opposite, inertial axes.
         let (motion, inertial, reversed) = match span {
             SpringSpan::AtRest => {
@@ -77,7 +78,8 @@ impl<S: Scalar> Springs<'_, S> {
         let length = regular_length(motion.displacement);
         let inverse = length.recip();
         let length_rate = motion.displacement.dot(motion.velocity) * inverse;
-        let tension = stiffness * (length - rest) + damping * length_rate;
+        let passive = stiffness * (length - rest) + damping * length_rate;
+        let tension = self.actuator_force(id).map_or(passive, |force| passive - force);
         let force = inertial * (tension * inverse);
         SpringReport { length, length_rate, tension, force: if reversed { force } else { -force } }
     }

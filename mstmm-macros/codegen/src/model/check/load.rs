@@ -32,7 +32,7 @@ pub(super) fn springs_are_complete(draft: &Draft, diagnostics: &mut Diagnostics)
 pub(super) fn spring_values_are_not_negative(draft: &Draft) -> Vec<Requirement> {
     let numbers = draft.springs.iter().flat_map(|spring| {
         [
-            (spring.stiffness.as_ref(), STIFFNESS),
+            (spring.stiffness.as_ref().and_then(Option::as_ref), STIFFNESS),
             (spring.damping.as_ref().and_then(Option::as_ref), DAMPING),
             (spring.length.as_ref().and_then(Option::as_ref), LENGTH),
         ]

@@ -48,7 +48,7 @@ const RULES: &[ModelRule] = &[
     name::names_are_identifiers,
     name::chain_names_are_not_the_scalar_type,
     name::names_are_used_once,
-    name::load_inputs_have_unique_names,
+    name::input_names_are_unique,
     name::names_are_not_reserved,
     name::names_are_not_keywords,
     name::types_are_described_once,

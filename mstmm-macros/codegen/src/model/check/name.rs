@@ -232,18 +232,22 @@ fn part_of<'d>(draft: &'d Draft, used: &UsedName) -> Option<&'d Ident> {
     draft.written.scopes[scope].part.map(|part| &part.name)
 }
 
-/// Reports names that equal an input of a load: a load `x` has the inputs `x_force` and `x_torque`.
-pub(super) fn load_inputs_have_unique_names(draft: &Draft, diagnostics: &mut Diagnostics) {
+/// Reports names that equal an input of a load or a spring: a load `x` has the inputs `x_force` and `x_torque`, a spring
+/// `x` with an actuator the input `x_force`.
+pub(super) fn input_names_are_unique(draft: &Draft, diagnostics: &mut Diagnostics) {
     let names = names(draft);
     let mut by_name: HashMap<String, &ItemName> = HashMap::new();
     for used in &names {
         by_name.entry(used.name.joined.to_string()).or_insert(&used.name);
     }
-    for load in draft.loads.iter().map(|load| &load.name) {
-        for input in ["force", "torque"].map(|input| format!("{}_{input}", load.joined)) {
+    let loads = draft.loads.iter().map(|load| ("load", &load.name, &["force", "torque"][..]));
+    let actuated = draft.springs.iter().filter(|spring| spring.has_input());
+    let springs = actuated.map(|spring| ("spring", &spring.name, &["force"][..]));
+    for (word, owner, inputs) in loads.chain(springs) {
+        for input in inputs.iter().map(|input| format!("{}_{input}", owner.joined)) {
             if let Some(other) = by_name.get(&input) {
                 let message = format!(
-                    "`{input}` is reserved for an input of load `{load}`: choose another name"
+                    "`{input}` is reserved for an input of {word} `{owner}`: choose another name"
                 );
                 diagnostics.name(&other.joined, message);
             }

@@ -9,14 +9,15 @@ use super::parts::{ItemName, WrittenBlock};
 use super::place::Resolved;
 use super::start::Seeds;
 use crate::diag::did_you_mean;
-use crate::model::{BodyPoint, Dimension, Frame, LoadAxes, Source, SpringEnd, Value};
+use crate::model::{BodyPoint, Dimension, Effort, Frame, LoadAxes, Source, SpringEnd, Value};
 use crate::syntax::{BlockKeyword, BlockSyntax, ValueSyntax};
 
 /// The fields of a load.
 pub(super) const LOAD_FIELDS: &[&str] = &["on", "at", "force", "torque", "axes"];
 /// A line chain has no torques.
 const LINE_LOAD_FIELDS: &[&str] = &["on", "at", "force"];
-pub(super) const SPRING_FIELDS: &[&str] = &["on", "at", "to", "stiffness", "damping", "length"];
+pub(super) const SPRING_FIELDS: &[&str] =
+    &["on", "at", "to", "stiffness", "damping", "length", "force"];
 pub(super) const AXES: &[(&str, LoadAxes)] =
     &[("inertial", LoadAxes::Inertial), ("body", LoadAxes::Body)];
 
@@ -48,12 +49,14 @@ pub(crate) struct SpringDraft<'a> {
     pub at: Option<[Value; 3]>,
     /// Its other end.
     pub to: Option<SpringTo>,
-    /// Its stiffness.
-    pub stiffness: Option<Spanned<Value>>,
+    /// Its stiffness; `Some(None)` if it is omitted.
+    pub stiffness: Option<Option<Spanned<Value>>>,
     /// Its damping; `Some(None)` if it is omitted.
     pub damping: Option<Option<Spanned<Value>>>,
     /// Its length; `Some(None)` if it is omitted.
     pub length: Option<Option<Spanned<Value>>>,
+    /// The force of its actuator.
+    pub force: Option<Effort>,
 }
 
 /// The fields of a block of this word.
@@ -198,9 +201,18 @@ fn spring<'a>(
         body: target.body,
         at,
         to: fields.get("to").and_then(|field| context.field(field, to)).map(|to| to.value),
-        stiffness: stiffness.flatten(),
+        stiffness,
         damping,
         length,
+        force: context.optional(fields.get("force"), || Effort::Free, force),
+    }
+}
+
+/// The force of a spring's actuator.
+fn force(context: &mut Context, syntax: &ValueSyntax) -> Option<Effort> {
+    match context.asks_for_input(syntax)? {
+        true => Some(Effort::Input),
+        false => context.read_number(syntax, FORCE).map(Effort::Constant),
     }
 }
 
@@ -237,15 +249,28 @@ impl LoadDraft<'_> {
 }
 
 impl SpringDraft<'_> {
+    /// Returns whether the caller gives the force of its actuator.
+    pub fn has_input(&self) -> bool {
+        self.force == Some(Effort::Input)
+    }
+
     /// The fields that it lacks, in words.
     pub fn missing(&self) -> Vec<String> {
-        let on = self.block.fields.iter().find(|field| field.name == "on");
+        let field = |name: &str| self.block.fields.iter().find(|field| field.name == name);
+        let on = field("on");
         let is_body = |on: &ValueSyntax| on.word().is_some() || matches!(on, ValueSyntax::Path(_));
         let body = on.is_none_or(|on| on.value.as_ref().is_some_and(is_body));
         // If `on` is not one body, the second body replaces the point.
-        let required = if body { &["on", "to", "stiffness"][..] } else { &["stiffness"] };
-        let missing = missing(self.block, required);
-        missing.iter().map(|name| format!("`{name}`")).collect()
+        let ends = if body { missing(self.block, &["on", "to"]) } else { Vec::new() };
+        // An actuator needs no stiffness, unless it has a length at rest.
+        // A length has no effect without a stiffness.
+        let (acting, words) = match field("length") {
+            Some(_) => (&["stiffness"][..], "`stiffness`"),
+            None => (&["stiffness", "force"][..], "a `stiffness` or a `force`"),
+        };
+        let acting = (missing(self.block, acting).len() == acting.len()).then_some(words);
+        let ends = ends.iter().map(|name| format!("`{name}`"));
+        ends.chain(acting.map(str::to_owned)).collect()
     }
 
     /// Returns the spring; `None` if a part is missing, which is reported then.
@@ -264,9 +289,10 @@ impl SpringDraft<'_> {
             },
             name: self.name.joined,
             path: self.name.path,
-            stiffness: self.stiffness?.value,
+            stiffness: number(self.stiffness?),
             damping: number(self.damping?),
             length: number(self.length?),
+            force: self.force?,
         })
     }
 }

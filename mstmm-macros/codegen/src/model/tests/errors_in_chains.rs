@@ -131,7 +131,23 @@ fn loads_are_complete() {
     );
     expect_load(
         "spring rope { on = rod; to = [1, 0, 0]; }",
-        &[("rope", "spring `rope` needs `stiffness`")],
+        &[("rope", "spring `rope` needs a `stiffness` or a `force`")],
+    );
+    expect_load(
+        "spring ram { on = rod; to = [1, 0, 0]; force = input; length = 1; }",
+        &[("ram", "spring `ram` needs `stiffness`")],
+    );
+    expect_load(
+        "spring ram { on = rod; to = [1, 0, 0]; force = [1, 0, 0] N; }",
+        &[("[1, 0, 0]", "expected a force as a single number, found a vector")],
+    );
+    expect_load(
+        "spring ram { on = rod; to = [1, 0, 0]; force = 3 N/m; }",
+        &[("N/m", "expected a force, found a stiffness")],
+    );
+    expect_load(
+        "spring ram { on = rod; to = [1, 0, 0]; force = input; } load ram_force { on = rod; force = input; }",
+        &[("ram_force", "`ram_force` is reserved for an input of spring `ram`: …")],
     );
     expect_load(
         "spring rope { on = rod; to = [1, 0, 0]; stiffness = -1; damping = -2; length = 1 - ratio; }",

@@ -36,7 +36,7 @@ fn an_unknown_field_may_be_the_missing_one() {
         &[(
             "k",
             "spring `s` has no field `k`; \
-             it has `on`, `at`, `to`, `stiffness`, `damping` and `length`",
+             it has `on`, `at`, `to`, `stiffness`, `damping`, `length` and `force`",
         )],
     );
 }

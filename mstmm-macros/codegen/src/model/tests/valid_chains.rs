@@ -1,7 +1,7 @@
 //! Chains without errors: dimensions, ends, loads and repeated parts.
 
 use super::{all_known, chain, edited, known};
-use crate::ids::{BodyId, ChannelId, HingeId, LoadId, RepeatId};
+use crate::ids::{BodyId, ChannelId, HingeId, LoadId, RepeatId, SpringId};
 use crate::model::{
     Attachment, Chain, Dimension, Drive, Element, HingeKind, LoadAxes, Repeat, RepeatBoundary,
     Role, Source, SpringEnd, Value,
@@ -78,7 +78,7 @@ fn a_plane_chain_lies_in_the_plane() {
     assert_eq!(known(&load.at.position), [1.0, 0.1, 0.0]);
     assert_eq!(load.force, Source::Constant([1.0, 2.0, 0.0].map(Value::number)));
     assert_eq!(load.torque, Source::Constant([0.0, 0.0, 3.0].map(Value::number)));
-    let spring = &chain.springs[0];
+    let spring = &chain.springs[SpringId(0)];
     assert_eq!(known(&spring.on.at), [1.0, 0.0, 0.0]);
     assert_eq!(spring.to, SpringEnd::Ground([5.0, 6.0, 0.0].map(Value::number)));
     let numbers = [&spring.stiffness, &spring.damping, &spring.length];
@@ -128,7 +128,7 @@ fn a_line_chain_has_numbers_for_vectors() {
     assert_eq!(known(&chain.bodies[BodyId(0)].output.position), [0.3, 0.0, 0.0]);
     assert_eq!(chain.loads[LoadId(0)].force, Source::Constant([6.0, 0.0, 0.0].map(Value::number)));
     assert_eq!(chain.loads[LoadId(0)].torque, Source::Nothing);
-    assert_eq!(known(&chain.springs[0].on.at), [0.2, 0.0, 0.0]);
+    assert_eq!(known(&chain.springs[SpringId(0)].on.at), [0.2, 0.0, 0.0]);
 }
 
 #[test]
