@@ -24,15 +24,15 @@ pub struct RotationCoordinates {
 }
 
 /// Returns the largest change of the coordinates in the table, in rad.
+#[inline]
 fn largest_rotation<T: Scalar>(before: &[T], after: &[T], table: &[RotationCoordinates]) -> T {
     let mut largest = T::default();
     for &RotationCoordinates { first, entries, stride, count, quaternion } in table {
         let factor = T::constant(if quaternion { 2.0 } else { 1.0 });
-        let [before, after] = [before, after].map(|q| q.get(first..).unwrap_or_default());
-        let repetitions = before.chunks(stride.max(1)).zip(after.chunks(stride.max(1)));
-        for (before, after) in repetitions.take(count) {
-            for (&before, &after) in before.iter().zip(after).take(entries) {
-                let change = ((after - before) * factor).abs();
+        for first in (first..).step_by(stride.max(1)).take(count) {
+            let of = |q: &[T], entry: usize| q.get(first + entry).copied().unwrap_or_default();
+            for entry in 0..entries {
+                let change = ((of(after, entry) - of(before, entry)) * factor).abs();
                 largest = T::select(change.simd_gt(largest), change, largest);
             }
         }
