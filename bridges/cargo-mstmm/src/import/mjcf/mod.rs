@@ -60,7 +60,10 @@ fn notes(root: Element) -> Result<Vec<Note>> {
     }
     for (section, what) in [
         ("actuator", "actuators are omitted; the efforts of all joints are inputs"),
-        ("tendon", "tendons are omitted"),
+        (
+            "tendon",
+            "tendons are omitted; one between two sites is a `spring`, with `force = input` if it is driven",
+        ),
         ("contact", "contacts are omitted"),
     ] {
         let first = root.children(section).find(|element| element.any_children().next().is_some());
