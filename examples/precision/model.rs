@@ -27,7 +27,9 @@ pub fn describe(chain: &Chain, random_inputs: bool) -> comparison::Description {
         let count = input.range.len();
         let what = match input.what {
             InputKind::Gravity => comparison::InputKind::Gravity(count),
-            InputKind::Force(_) => comparison::InputKind::Efforts(vec![false; count]),
+            InputKind::Force(_) | InputKind::SpringForce(_) => {
+                comparison::InputKind::Efforts(vec![false; count])
+            }
             InputKind::Torque(_) => comparison::InputKind::Efforts(vec![true; count]),
             InputKind::Efforts(index) => {
                 comparison::InputKind::Efforts(driven(&chain.hinges[index]))
