@@ -1,12 +1,29 @@
-//! Finds brackets, strings and comments that are not closed: the tokenizer does not tell the place.
+//! Finds brackets, strings and comments that are not closed, and characters that no token has: the tokenizer does not
+//! tell the place.
 
 use std::ops::Range;
 
-/// Returns the place of the first bracket without a partner, or of the string or comment that does not end, and the
-/// message.
+/// Characters of other programs, and what to write instead.
+const REPLACED: &[(char, &str)] = &[
+    ('²', "^2"),
+    ('³', "^3"),
+    ('°', "deg"),
+    ('−', "-"),
+    ('–', "-"),
+    ('—', "-"),
+    ('·', "*"),
+    ('×', "*"),
+    ('→', "->"),
+    ('“', "\""),
+    ('”', "\""),
+    ('„', "\""),
+];
+
+/// Returns the place and the message of the first character that no token has, of the first bracket without a partner, or
+/// of the string or comment that does not end.
 #[must_use]
 pub fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
-    let mut open: Vec<(usize, char)> = Vec::new();
+    let mut brackets = Brackets { text, open: Vec::new(), suspect: None };
     let mut at = 0;
     while let Some(letter) = text[at..].chars().next() {
         let rest = &text[at..];
@@ -22,24 +39,80 @@ pub fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
             },
             _ => letter.len_utf8(),
         };
-        match letter {
-            '(' | '[' | '{' => open.push((at, letter)),
-            ')' | ']' | '}' => match open.pop() {
-                Some((_, left)) if partner(left) == letter => {}
-                Some((_, left)) => {
-                    let expected = partner(left);
-                    return Some((at..at + 1, format!("expected `{expected}`, found `{letter}`")));
-                }
-                None => return Some((at..at + 1, format!("`{letter}` closes no bracket"))),
-            },
-            _ => {}
+        let found = match letter {
+            '(' | '[' | '{' => {
+                brackets.open.push((at, letter));
+                None
+            }
+            ')' | ']' | '}' => brackets.close(at, letter),
+            _ => strange(letter).map(|message| (at..at + length, message)),
+        };
+        if found.is_some() {
+            return found;
         }
         at += length;
     }
-    let (at, left) = open.pop()?;
-    Some((at..at + 1, format!("`{left}` is not closed: expected `{}`", partner(left))))
+    brackets.end()
 }
 
+/// The brackets that are open at a place of a text.
+struct Brackets<'a> {
+    text: &'a str,
+    open: Vec<(usize, char)>,
+    /// The first brace whose partner is further to the left than itself: another one closed it, probably.
+    suspect: Option<(usize, char)>,
+}
+
+impl Brackets<'_> {
+    /// Closes a bracket. Returns the place and the message of one without a partner.
+    fn close(&mut self, at: usize, letter: char) -> Option<(Range<usize>, String)> {
+        let here = at..at + 1;
+        let Some((opened, left)) = self.open.pop() else {
+            return Some((here, format!("`{letter}` closes no bracket")));
+        };
+        if partner(left) == letter {
+            if letter == '}' && self.indentation(at) < self.indentation(opened) {
+                self.suspect = self.suspect.or(Some((opened, left)));
+            }
+            return None;
+        }
+        match (left, letter) {
+            // Braces are further apart than other brackets.
+            ('{', _) => Some((here, format!("`{letter}` closes no bracket"))),
+            (_, '}') => Some(not_closed(opened, left)),
+            _ => Some((here, format!("expected `{}`, found `{letter}`", partner(left)))),
+        }
+    }
+
+    /// Returns the place and the message of a bracket that is open at the end.
+    fn end(mut self) -> Option<(Range<usize>, String)> {
+        let (at, left) = self.open.pop()?;
+        let (at, left) = self.suspect.filter(|_| left == '{').unwrap_or((at, left));
+        Some(not_closed(at, left))
+    }
+
+    /// Returns the number of blanks at the start of the line of a place.
+    fn indentation(&self, at: usize) -> usize {
+        let line = self.text[..at].rfind('\n').map_or(0, |end| end + 1);
+        self.text[line..].chars().take_while(|letter| letter.is_whitespace()).count()
+    }
+}
+
+fn not_closed(at: usize, left: char) -> (Range<usize>, String) {
+    (at..at + 1, format!("`{left}` is not closed: expected `{}`", partner(left)))
+}
+
+/// Returns the message about a character that no token has.
+fn strange(letter: char) -> Option<String> {
+    let blank = letter.is_whitespace() || letter == '\u{feff}';
+    if blank || letter.is_alphabetic() || letter.is_ascii() && !['`', '\\'].contains(&letter) {
+        return None;
+    }
+    let instead = REPLACED.iter().find(|(other, _)| *other == letter);
+    let instead = instead.map_or_else(String::new, |(_, text)| format!(": write `{text}`"));
+    let code = u32::from(letter);
+    Some(format!("`{letter}` (U+{code:04X}) is not a character of the language{instead}"))
+}
 fn partner(left: char) -> char {
     match left {
         '(' => ')',

@@ -129,6 +129,24 @@ fn what_is_not_closed_is_told_with_its_place() {
         ("chain A {\n a = [1, 2)\n", (2, 11), "expected `]`, found `)`"),
         ("/* a /* b */\nchain", (1, 1), "this comment is not closed"),
         ("\u{feff}é \"a\n", (1, 3), "this string is not closed"),
+        ("chain A {\n pin(y j -> Rod;\n}\n", (2, 5), "`(` is not closed: expected `)`"),
+        // Indentation tells which brace is not closed.
+        (
+            "chain A {\n    body B {\n        mass = 1;\n    ground -> B b;\n}\n",
+            (2, 12),
+            "`{` is not closed: expected `}`",
+        ),
+        (
+            "chain A { // ²\n mass = 1 m²;\n}\n",
+            (2, 12),
+            "`²` (U+00B2) is not a character of the language: write `^2`",
+        ),
+        (
+            "chain A {\n start = \u{2212}30;\n}\n",
+            (2, 10),
+            "`\u{2212}` (U+2212) is not a character of the language: write `-`",
+        ),
+        ("chain A {\n a = `b`;\n}\n", (2, 6), "``` (U+0060) is not a character of the language"),
     ] {
         let (_, messages) = Source::new("a.chain", text).check();
         let found: Vec<_> =
