@@ -5,6 +5,7 @@ use mstmm::prelude::*;
 mstmm_chain! {
     chain Arm {
         gravity = input;
+        answers = [push, linearize];
         param payload = 1 m;
         param knot[3] = 1 furlong;
         body Rod {
@@ -38,6 +39,9 @@ fn main() -> Result<(), mstmm::Error> {
         ..arm.no_inputs()
     };
     Rk4::new(1e-3).step(&arm, &mut state, inputs)?;
+    let change = arm.push(&state, &arm.no_inputs(), &ArmVariation::default())?;
+    let linearization: ArmLinearization<f64> = arm.linearize(&state, &arm.no_inputs())?;
+    println!("{change:?} {:?}", linearization.by_rates);
     let mut at = arm.workspace();
     arm.solve_into(&state, &arm.no_inputs(), &mut at)?;
     println!("{} {:?}", at.upper().output().force(), at.rod(1).map(|rod| rod.input().moment()));

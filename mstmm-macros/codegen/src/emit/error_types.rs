@@ -1,6 +1,8 @@
 //! The types of chains with errors: rustc treats them as error types and reports no further errors where they are used.
 
-use crate::syntax::{ChainSyntax, ContentSyntax, PathSyntax, RouteItemSyntax, RouteSyntax};
+use crate::syntax::{
+    ChainSyntax, ContentSyntax, PathSyntax, RouteItemSyntax, RouteSyntax, answer_types,
+};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -55,8 +57,9 @@ pub fn error_types(chains: &[ChainSyntax], errors: &syn::Error) -> TokenStream {
 /// or of the route may be a body type.
 fn structs(chain: &ChainSyntax) -> impl Iterator<Item = Ident> {
     let name = &chain.name;
-    let of_chain = ["State", "Parameters", "Workspace", "Kinematics"]
-        .map(|suffix| format_ident!("{}{suffix}", name));
+    let of_chain = ["State", "Parameters", "Workspace", "Kinematics"];
+    let of_chain = of_chain.into_iter().chain(answer_types(chain));
+    let of_chain = of_chain.map(move |suffix| format_ident!("{}{suffix}", name));
     let types = |part: &str, content: &ContentSyntax| {
         let described = content.blocks.iter().flat_map(|block| &block.names).map(PathSyntax::end);
         let items = content.routes.iter().flat_map(RouteSyntax::items);

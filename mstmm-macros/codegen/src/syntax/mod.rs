@@ -121,7 +121,7 @@ fn check_unique_types(chains: &[ChainSyntax], diagnostics: &mut Diagnostics) {
 }
 
 /// Returns the suffixes of the types that the words of a chain's setting `answers` may generate.
-fn answer_types(chain: &ChainSyntax) -> Vec<&'static str> {
+pub fn answer_types(chain: &ChainSyntax) -> Vec<&'static str> {
     let settings = chain.settings.iter().filter(|field| field.name == "answers");
     let entries = settings.flat_map(|field| match &field.value {
         Some(ValueSyntax::Number(entry)) => std::slice::from_ref(entry),
