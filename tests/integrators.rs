@@ -198,6 +198,18 @@ fn dopri5_has_order_five() {
     assert!((order - 5.0).abs() < 0.5, "{order}, {samples:?}");
 }
 
+/// Rounding exceeds smaller tolerances, so steps would be too short to end.
+#[test]
+fn dopri5_raises_tolerances_below_rounding() {
+    let chain = Sprung::<f64>::new();
+    let run = |tolerance: f64| {
+        let (mut state, mut dopri5) = (chain.initial_state(), Dopri5::new(tolerance, 0.0));
+        dopri5.advance_to(&chain, &mut state, 0.01, |_, _| chain.no_inputs()).expect("steps");
+        (state, dopri5.statistics().evaluations)
+    };
+    assert_eq!(run(1e-30), run(4.0 * f64::EPSILON));
+}
+
 mstmm::mstmm_chain! {
     /// ω = 1 rad/s.
     line chain Oscillator {
