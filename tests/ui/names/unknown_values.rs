@@ -7,6 +7,7 @@ mstmm::mstmm_chain! {
             inertia = diag(0, mm, inertia) kg*m^2 about com;
         }
         ground -> pin joint -> Rod rod;
+        hinge joint { torque = 5 * N; damping = N*m*s/rad; }
     }
 }
 

@@ -161,7 +161,15 @@ impl Context<'_> {
         if text == "Self" {
             return self.refuse(name, "`Self` is not known here: write the name of the type");
         }
-        if text.starts_with(char::is_uppercase) {
+        let is_constant = text.starts_with(char::is_uppercase);
+        if is_constant && unit::is_symbol(&text) {
+            let message = format!(
+                "`{text}` is a unit: write it after a number; a Rust constant of this name is \
+                 `self::{text}`"
+            );
+            return self.refuse(name, message);
+        }
+        if is_constant {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
         if text == "input" {
@@ -259,6 +267,10 @@ impl Context<'_> {
         factors: &'e [FactorSyntax],
         expr: &'e ExprSyntax,
     ) -> Option<Measured<'e>> {
+        if let Some(unit) = unit::of_names(factors) {
+            let message = format!("a value needs a number before its unit, such as `1 {unit}`");
+            return self.refuse(expr.extent, message);
+        }
         let parts: Vec<_> = factors.iter().map(|factor| self.measure(&factor.expr)).collect();
         let parts: Vec<_> = parts.into_iter().collect::<Option<_>>()?;
         let mut product = Measured::new(Value::number(1.0), Measure::Plain, expr);

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
 use crate::diag::nearest;
 use crate::model::Value;
-use crate::syntax::{UnitFactorSyntax, UnitSyntax};
+use crate::syntax::{ExprKind, FactorSyntax, UnitFactorSyntax, UnitSyntax};
 
 /// The scale of a unit in SI: `above · 10^tens / below`. Numerator, denominator and power of ten are
 /// separate so that `48 mm` is 48/1000, which rounds once and equals `0.048`.
@@ -105,6 +105,20 @@ fn find(symbol: &str) -> Option<(Scale, PhysicalDimension)> {
 /// Whether this is the symbol of a unit, with a prefix or without.
 pub(super) fn is_symbol(symbol: &str) -> bool {
     find(symbol).is_some()
+}
+
+/// Returns the unit that a product of names is, if it is one.
+pub(super) fn of_names(factors: &[FactorSyntax]) -> Option<String> {
+    factors.iter().try_fold(String::new(), |unit, factor| {
+        let ExprKind::Name(name) = &factor.expr.kind else { return None };
+        let sign = match factor.divides {
+            _ if unit.is_empty() => "",
+            true => "/",
+            false => "*",
+        };
+        let symbol = name.to_string();
+        is_symbol(&symbol).then(|| unit + sign + &symbol)
+    })
 }
 
 /// Returns all symbols, with prefixes and without.
