@@ -171,6 +171,10 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
     if input.peek_group(Delimiter::Bracket) {
         return Err(Error::new(input.next_span(), INSIDE));
     }
+    let mut ahead = *input;
+    if ahead.punct('.').is_some() && ahead.literal().is_some() {
+        return Err(Error::new(input.next_span(), "write a digit before the point, as in `0.5`"));
+    }
     let Some(name) = input.peek_ident() else { return Err(input.unexpected("a number")) };
     let mut ahead = *input;
     ahead.ident();

@@ -319,6 +319,13 @@ impl Context<'_> {
         if matches!(&product.kind, ExprKind::Name(word) if word == "input") {
             return self.refuse(unit.extent, "`input` has no unit: remove the unit");
         }
+        if unit::is_multiple_of_pi(product)
+            && unit.factors.iter().any(|factor| factor.symbol == "deg")
+        {
+            let message =
+                "`PI` is an angle in radians: remove `deg`, or write the angle in degrees";
+            return self.refuse(unit.extent, message);
+        }
         let (number, unit_known) = (self.measure(product), self.unit(unit));
         let (number, (scale, dimension)) = (number?, unit_known?);
         self.expect_no_unit(&number)?;

@@ -123,6 +123,19 @@ impl<'t, 'a> Resolved<'t, 'a> {
             || self.items.iter().any(is_lost)
     }
 
+    /// Returns whether a path may lead into a part that is lost: one that is not readable, or an item of an unknown type,
+    /// which is reported.
+    pub fn may_be_in_lost_part(&self, scope: usize, path: &[Ident]) -> bool {
+        let [first, _, ..] = path else { return false };
+        let first = self.written.scopes[scope].path(std::slice::from_ref(first));
+        let is_lost = |item: &RouteItem| match item {
+            RouteItem::Body { name, body_type: None, .. }
+            | RouteItem::Unknown { name: Some(name) } => name.path == first,
+            _ => false,
+        };
+        !self.written.complete || self.items.iter().any(is_lost)
+    }
+
     /// Reports a path to a place whose body is unknown.
     fn no_body<T>(&self, path: &PathSyntax, scope: usize, context: &mut Context) -> Option<T> {
         let (_, body) = path.names.split_last()?;
@@ -179,8 +192,9 @@ impl<'t, 'a> Resolved<'t, 'a> {
     ) -> Option<T> {
         let shown = PathSyntax { last: None, names: body.to_vec() };
         let written = self.written;
-        let may_be_in_lost_part = body.len() > 1 && !written.complete;
-        if may_be_in_lost_part || self.is_uncertain(&written.scopes[scope].path(body)) {
+        if self.may_be_in_lost_part(scope, body)
+            || self.is_uncertain(&written.scopes[scope].path(body))
+        {
             return None;
         }
         if let [name] = body

@@ -202,8 +202,8 @@ fn unknown_name(
         context.diagnostics.error(name.span(), message);
         return;
     }
-    let may_be_in_lost_part = path.names.len() > 1 && !written.complete;
-    if !written.routes_are_complete || written.routes.is_empty() || may_be_in_lost_part {
+    let is_lost = resolved.may_be_in_lost_part(scope, &path.names);
+    if !written.routes_are_complete || written.routes.is_empty() || is_lost {
         return;
     }
     // It may be the missing name of a hinge.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
 use crate::diag::nearest;
 use crate::model::Value;
-use crate::syntax::{ExprKind, FactorSyntax, UnitFactorSyntax, UnitSyntax};
+use crate::syntax::{ExprKind, ExprSyntax, FactorSyntax, UnitFactorSyntax, UnitSyntax};
 
 /// The scale of a unit in SI: `above · 10^tens / below`. Numerator, denominator and power of ten are
 /// separate so that `48 mm` is 48/1000, which rounds once and equals `0.048`.
@@ -119,6 +119,16 @@ pub(super) fn of_names(factors: &[FactorSyntax]) -> Option<String> {
         let symbol = name.to_string();
         is_symbol(&symbol).then(|| unit + sign + &symbol)
     })
+}
+
+/// Returns whether a number before a unit is a product with the word `PI`.
+pub(super) fn is_multiple_of_pi(expr: &ExprSyntax) -> bool {
+    match &expr.kind {
+        ExprKind::Name(name) => name == "PI",
+        ExprKind::Product(factors) => factors.iter().any(|it| is_multiple_of_pi(&it.expr)),
+        ExprKind::Negated(inner) | ExprKind::Parenthesized(inner) => is_multiple_of_pi(inner),
+        _ => false,
+    }
 }
 
 /// Returns all symbols, with prefixes and without.

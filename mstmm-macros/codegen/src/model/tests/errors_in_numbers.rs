@@ -23,6 +23,21 @@ fn a_unit_must_fit() {
 }
 
 #[test]
+fn pi_is_in_radians() {
+    let radians = "`PI` is an angle in radians: remove `deg`, or write the angle in degrees";
+    let start = |angle: &str| format!("start = {angle}");
+    for angle in ["PI/2 deg", "-2*PI deg", "PI deg"] {
+        expect("start = 30 deg", &start(angle), &[("deg", radians)]);
+    }
+}
+
+#[test]
+fn numbers_begin_with_a_digit() {
+    expect_mass(".5 kg", &[(".", "write a digit before the point, as in `0.5`")]);
+    expect("[0, -9.8, 0] m/s^2", "[0, -.8, 0] m/s^2", &[(".", "write a digit …")]);
+}
+
+#[test]
 fn terms_have_one_dimension() {
     expect_mass("1 kg + 2 m", &[("m", "expected a mass, found a length")]);
     expect_mass(

@@ -249,6 +249,14 @@ fn names_on_unreadable_routes_and_in_parts_are_known() {
         "part Leg { pin a -> Rod b } ground -> Leg lf; hinge lf.a { start = 1; }",
         &[("b", "expected `;` after this")],
     );
+    // An item of an unknown type may be a part.
+    let paths = "lf.b.output -> pin k -> Rod y; hinge lf.c { start = 1; } load l { on = lf.b; force = input; }";
+    for (item, message) in [("Leg", "unknown body type `Leg`"), ("Leg(1)", "unknown part `Leg`")] {
+        expect_rods(
+            &format!("ground -> pin j -> Rod x -> {item} lf; {paths}"),
+            &[("Leg", message)],
+        );
+    }
     // What an unreadable part has is not known.
     expect_rods(
         "part Leg { pin a -> Rod b; 7; } ground -> Leg lf; hinge lf.c { start = k; }",
