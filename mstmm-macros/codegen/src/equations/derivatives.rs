@@ -9,95 +9,27 @@
 //!
 //! # Notation
 //!
-//! All quantities of a link belong to its point, in its work axes; those of composite bodies are in
-//! [`composite`](super::composite).
+//! All quantities of a link belong to its point, in its work axes. The change of the accelerations is an
+//! [`AccelerationField`], whose angular part is `β = δα − δΩ × Ω` for the changes `δα` of the angular
+//! acceleration and `δΩ` of the angular velocity of a link, in axes that move with it. The wrenches and the
+//! efforts of fields are in [`acceleration_field`](super::acceleration_field).
 //!
-//! | symbol | in code | meaning |
-//! |---|---|---|
-//! | `δΩ`, `δα`, `δa` | [`FieldChange`] | changes of angular velocity, angular acceleration and acceleration of a link, in axes that move with it |
-//! | `β = δα − δΩ × Ω` | `motion.angular` | angular part of the field |
-//! | `w_a`, `w_β`, `w_ω` | [`EffortGradient`] | derivatives of an effort with respect to `δa`, `β` and `δΩ` of a link |
-//!
-//! # Equations
-//!
-//! The field at a mass at `r`, and the change of the wrench in the hinge that moves all masses:
-//!
-//! (1)  `δr̈ = δa + β × r + 2 δΩ × ṙ`
-//! (2)  `δF = [m δa + β × h + 2 δΩ × P; h × δa + J β + B δΩ]`
-//!
-//! The effort of a hinge further outboard, with motion subspace `[s_v; s_ω]`, at that hinge and inward:
-//!
-//! (3)  `w_a = m s_v + s_ω × h`, `w_β = h × s_v + J s_ω`, `w_ω = 2 P × s_v + Bᵀ s_ω`
-//! (4)  `w_β ← w_β + arm × w_a`, `w_ω ← w_ω + 2 u × w_a`
-//!
-//! `w_a` and `w_β` are also a column of the mass matrix. External loads and springs between bodies are
-//! not part of the wrenches; their efforts are differentiated by sweeps on dual numbers.
+//! External loads and springs between bodies are not part of the wrenches; their efforts are differentiated
+//! by sweeps on dual numbers.
 
+use super::acceleration_field::{AccelerationField, EffortGradients, set_inboard_efforts};
 use super::base_parameters::base_kinematics;
-use super::composite::{CompositeBody, composite_bodies, of_composite_bodies, to_ground};
-use super::composite::{twice_velocity, unit_vector};
+use super::composite::{CompositeBody, composite_bodies, of_composite_bodies, unit_vector};
 use super::dense_matrix::DenseMatrix;
 use super::hinge::combine;
 use super::inverse_dynamics::{accelerations, external_efforts, hinge_wrenches, own_efforts};
-use super::kinematics::{HingeKinematics, LinkKinematics, PartKinematics, hinge_kinematics};
+use super::kinematics::{LinkKinematics, PartKinematics, hinge_kinematics};
 use super::sweep::PerLink;
 use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Dual, FrameOrientation, Mat3, Motion, Scalar, Vec3, Wrench};
 use crate::model::InputKind;
-
-/// A change of the accelerations of all bodies outboard of a hinge, equation (1).
-#[derive(Clone, Copy, Debug)]
-struct FieldChange<S> {
-    /// `δa` and `β`.
-    motion: Motion<S>,
-    /// `δΩ`
-    omega: Vec3<S>,
-}
-
-/// The derivatives of an effort with respect to the field at a link, equation (3).
-#[derive(Clone, Copy, Debug)]
-struct EffortGradient<S> {
-    /// `w_a` and `w_β`.
-    wrench: Wrench<S>,
-    /// `w_ω`
-    omega: Vec3<S>,
-}
-
-impl<S: Scalar> EffortGradient<S> {
-    /// Returns the gradient of the effort of the link's own hinge along a motion, equation (3).
-    fn of(body: &CompositeBody<S>, motion: Motion<S>) -> Self {
-        let spin = body.spin.transposed() * motion.angular;
-        EffortGradient {
-            wrench: body.wrench(motion),
-            omega: body.twice_momentum.cross(motion.linear) + spin,
-        }
-    }
-
-    /// Returns the gradient with respect to the field at the parent, equation (4).
-    fn to_parent(self, hinge: &HingeKinematics<S>) -> Self {
-        let wrench = hinge.wrench_to_parent(self.wrench);
-        let omega = hinge.to_parent.rotate(self.omega);
-        EffortGradient { wrench, omega: omega + twice_velocity(hinge).cross(wrench.force) }
-    }
-
-    /// Returns the change of the effort.
-    fn change(&self, field: &FieldChange<S>) -> S {
-        field.motion.power(self.wrench) + field.omega.dot(self.omega)
-    }
-}
-
-impl<S: Scalar> FieldChange<S> {
-    /// Returns the change of the wrench in the hinge of a composite body, equation (2).
-    fn wrench(&self, body: &CompositeBody<S>) -> Wrench<S> {
-        let Wrench { force, moment } = body.wrench(self.motion);
-        Wrench {
-            force: force + self.omega.cross(body.twice_momentum),
-            moment: moment + body.spin * self.omega,
-        }
-    }
-}
 
 /// The state of a chain from which all derivatives of inverse dynamics follow.
 #[derive(Debug)]
@@ -110,10 +42,7 @@ pub struct InverseDynamicsTangent<'a, S> {
     accelerations: PerLink<Motion<S>>,
     /// Wrenches in all hinges, without loads and springs.
     wrenches: PerLink<Wrench<S>>,
-    /// The efforts of all hinges outboard of each link's hinge, by rate.
-    outboard: PerLink<Vec<(usize, EffortGradient<S>)>>,
-    /// The same for the ground.
-    on_ground: Vec<(usize, EffortGradient<S>)>,
+    gradients: EffortGradients<S>,
 }
 
 impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
@@ -127,35 +56,8 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
             link.spatial_inertia().times(accelerations[index]) + link.velocity_wrench()
         });
         let wrenches = hinge_wrenches(context, &links, wrenches.collect(), trace);
-        let mut outboard = PerLink::filled(Vec::new(), links.len());
-        let mut on_ground = Vec::new();
-        links.enumerate().for_each(|(index, LinkKinematics { hinge, .. })| {
-            trace.section(
-                format!("{}_gradient", hinge.name),
-                format!("Derivatives of the efforts in `{}` by motions inboard of it", hinge.name),
-                "",
-            );
-            for (row, &motion) in context.layout.v[hinge.id].clone().zip(&hinge.subspace) {
-                let start = EffortGradient::of(&bodies[index], motion);
-                let mut visit = |at: LinkId, gradient: &EffortGradient<S>| {
-                    if at != index {
-                        outboard[at].push((row, *gradient));
-                    }
-                };
-                let inward = |at: LinkId, here: EffortGradient<S>| here.to_parent(&links[at].hinge);
-                on_ground.push((row, to_ground(context, index, start, &mut visit, inward)));
-            }
-        });
-        InverseDynamicsTangent {
-            context,
-            axes,
-            links,
-            bodies,
-            accelerations,
-            wrenches,
-            outboard,
-            on_ground,
-        }
+        let gradients = EffortGradients::new(context, &links, &bodies, trace);
+        InverseDynamicsTangent { context, axes, links, bodies, accelerations, wrenches, gradients }
     }
 
     /// Returns the derivatives with respect to the accelerations: the mass matrix.
@@ -231,11 +133,9 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
     fn by_gravity(&self, direction: &Direction<S>) -> Vec<S> {
         let tangent = Tangent::new(self.context, direction);
         let ground = tangent.context(self.context).base_acceleration();
-        let field = FieldChange { motion: derivative(ground), omega: Vec3::zero() };
+        let field = AccelerationField { motion: derivative(ground), omega: Vec3::zero() };
         let mut values = vec![S::zero(); self.context.layout.dof_count()];
-        for (row, gradient) in &self.on_ground {
-            values[*row] = gradient.change(&field);
-        }
+        self.gradients.set_all(&field, &mut values);
         values
     }
 
@@ -271,20 +171,11 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
         for ((row, column), own) in own_rows {
             values[row] = (column.power(wrench) - own).derivative();
         }
-        for (row, gradient) in &self.outboard[index] {
-            values[*row] = gradient.change(&field);
-        }
+        self.gradients.set_outboard(index, &field, &mut values);
         if let Some(parent) = link.parent {
             let change = hinge.wrench_to_parent(wrench);
             let change = Wrench::from_fn(|k| change.at(k).derivative());
-            let visit = |at: LinkId, wrench: &Wrench<S>| {
-                let LinkKinematics { hinge, .. } = &self.links[at];
-                for (row, s) in context.layout.v[hinge.id].clone().zip(&hinge.subspace) {
-                    values[row] = s.power(*wrench);
-                }
-            };
-            let inward = |at: LinkId, wrench| self.links[at].hinge.wrench_to_parent(wrench);
-            to_ground(context, parent, change, visit, inward);
+            set_inboard_efforts(context, &self.links, (parent, change), &mut values);
         }
         values
     }
@@ -295,11 +186,11 @@ impl<'a, S: Scalar> InverseDynamicsTangent<'a, S> {
         index: LinkId,
         omega: Vec3<Dual<S>>,
         acceleration: Motion<Dual<S>>,
-    ) -> FieldChange<S> {
+    ) -> AccelerationField<S> {
         let omega = Vec3::from_fn(|k| omega[k].derivative());
         let Motion { linear, angular } = derivative(acceleration);
         let angular = angular - omega.cross(self.links[index].omega);
-        FieldChange { motion: Motion { linear, angular }, omega }
+        AccelerationField { motion: Motion { linear, angular }, omega }
     }
 
     /// Adds the derivatives of the efforts that balance loads and springs.

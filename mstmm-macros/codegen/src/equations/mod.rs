@@ -28,6 +28,7 @@
 //! - `[P]` X. Rui, D. Bestle, J. Zhang, Q. Zhou: A new version of transfer matrix method for multibody systems. Multibody System Dynamics 38 (2016).
 //! - R. Featherstone: Rigid Body Dynamics Algorithms. Springer 2008. Its notation is used unless the paper has its own.
 
+mod acceleration_field;
 mod composite;
 mod constraint_forces;
 mod dense_matrix;
