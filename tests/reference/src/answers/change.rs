@@ -99,7 +99,7 @@ impl Answers<'_> {
     }
 
     /// Returns the coordinates after a step along rates, to first order.
-    fn moved(&self, now: &Now, rates: &[f64], step: Real) -> Vec<Real> {
+    pub(super) fn moved(&self, now: &Now, rates: &[f64], step: Real) -> Vec<Real> {
         let mut q = now.q.clone();
         let mut add = |kind: &HingeKind, coordinate: usize, rate: usize| {
             let own = &mut q[coordinate..][..kind.coordinates()];

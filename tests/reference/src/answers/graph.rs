@@ -1,7 +1,7 @@
 //! The poses of all bodies of a chain.
 
 use super::hinge::{Motion, pose};
-use super::space::{Pose, constant, constant_matrix, cross_matrix, product, sum};
+use super::space::{Pose, constant, constant_matrix, cross_matrix, plus, product, scaled, sum};
 use super::{Now, Real, reals};
 use crate::chain::Frame;
 use crate::hinge::HingeKind;
@@ -84,7 +84,9 @@ pub(super) fn poses(
         for &number in &tree {
             let joint = &mechanism.joints[number];
             let known = |side: Side, poses: &[Option<Pose>]| match side {
-                Side::Frame(frame) => Some(frame_pose(&mechanism.frames[frame], moves.prescribed)),
+                Side::Frame(frame) => {
+                    Some(frame_pose(&mechanism.frames[frame], now.time, moves.prescribed))
+                }
                 Side::On { body, place } => poses[body].map(|it| it.then(&places[body][place])),
             };
             let is_known = |side: Side| side.body().is_none_or(|body| poses[body].is_some());
@@ -123,16 +125,18 @@ fn places(mechanism: &Mechanism) -> Vec<Vec<Pose>> {
 }
 
 /// Returns the pose of a frame that an end of a route is attached to.
-fn frame_pose(frame: &FrameState, moves: bool) -> Pose {
+fn frame_pose(frame: &FrameState, time: Real, moves: bool) -> Pose {
     let vector = |it: &Vec3| <[f64; 3]>::from(*it).map(Real::new);
-    let rotation = matrix(&frame.rotation);
-    if !moves {
-        let position = constant(vector(&frame.position));
-        return Pose { position, rotation: constant_matrix(rotation) };
-    }
     let turning = cross_matrix(vector(&frame.spin));
-    let change = cross_matrix(vector(&frame.known_angular));
+    let rotation = matrix(&frame.rotation);
     let rate = product(turning, rotation);
+    if !moves {
+        let position = plus(vector(&frame.position), scaled(vector(&frame.velocity), time));
+        let after = |row: usize| plus(rotation[row], scaled(rate[row], time));
+        let rotation = constant_matrix(std::array::from_fn(after));
+        return Pose { position: constant(position), rotation };
+    }
+    let change = cross_matrix(vector(&frame.known_angular));
     let second = product(sum(product(turning, turning), change), rotation);
     let [velocity, acceleration] = [&frame.velocity, &frame.known_acceleration].map(vector);
     Pose {

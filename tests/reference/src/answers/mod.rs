@@ -15,6 +15,7 @@
 //! | `τ_k = Σ F·v_k + N·ω_k` | effort of the drive of rate `k` | rates |
 
 mod change;
+mod coriolis;
 mod differences;
 mod external;
 mod graph;
@@ -59,6 +60,8 @@ pub struct Answers<'a> {
 /// Everything that derivatives are taken by.
 #[derive(Clone)]
 struct Now {
+    /// The time for which frames move at their velocities, to first order.
+    time: Real,
     q: Vec<Real>,
     v: Vec<Real>,
     /// The given accelerations of inverse dynamics.
@@ -115,6 +118,7 @@ impl Chain {
         let actuators = self.springs.iter().zip(&drives.springs);
         let actuators = actuators.map(|(spring, &input)| spring.actuator(input));
         let now = Now {
+            time: Real::new(0.0),
             q: reals(&state.q),
             v: reals(&state.v),
             a: reals(&vec![0.0; state.v.len()]),

@@ -19,11 +19,7 @@ pub(super) fn passive(hinge: &Hinge, motion: &Motion) -> Passive {
     let count = motion.v.len();
     let [strain_rates_now, accelerations] = strain_rates(&hinge.kind, motion);
     let mut strain_efforts = reals(&vec![0.0; count]);
-    let mut armature = strain_efforts.clone();
     for (number, (group, range)) in hinge.groups().into_iter().enumerate() {
-        for k in range.clone() {
-            armature[k] = Real::new(Group::entry(&group.armature, k - range.start));
-        }
         if number == 1 && hinge.kind.has_quaternion() {
             let rates = [0, 1, 2].map(|k| strain_rates_now[range.start + k]);
             let efforts = of_rotation(group, rotation_strain(hinge, &motion.q), rates);
@@ -36,18 +32,37 @@ pub(super) fn passive(hinge: &Hinge, motion: &Motion) -> Passive {
             }
         }
     }
+    let columns = strain_columns(hinge, motion);
     let along_rate = |values: &[Real]| -> Vec<Real> {
-        let still = Motion { a: reals(&vec![0.0; count]), ..motion.clone() };
-        let one = |k: usize| {
-            let mut v = still.a.clone();
-            v[k] = Real::new(1.0);
-            let [column, _] = strain_rates(&hinge.kind, &Motion { v, ..still.clone() });
+        let one = |column: &Vec<Real>| {
             column.iter().zip(values).fold(Real::new(0.0), |sum, (&a, &b)| sum + a * b)
         };
-        (0..count).map(one).collect()
+        columns.iter().map(one).collect()
     };
+    let armature = armature(hinge);
     let momenta: Vec<Real> = armature.iter().zip(&accelerations).map(|(&a, &b)| a * b).collect();
     Passive { efforts: along_rate(&strain_efforts), rotors: along_rate(&momenta) }
+}
+
+/// Returns the strain rates at unit rates, by rates.
+pub(super) fn strain_columns(hinge: &Hinge, motion: &Motion) -> Vec<Vec<Real>> {
+    let count = motion.v.len();
+    let still = Motion { a: reals(&vec![0.0; count]), ..motion.clone() };
+    let one = |k: usize| {
+        let mut v = still.a.clone();
+        v[k] = Real::new(1.0);
+        let [column, _] = strain_rates(&hinge.kind, &Motion { v, ..still.clone() });
+        column
+    };
+    (0..count).map(one).collect()
+}
+
+/// Returns the inertias of the rotors, one for each strain.
+pub(super) fn armature(hinge: &Hinge) -> Vec<Real> {
+    let of_group = |(group, range): (&Group, std::ops::Range<usize>)| -> Vec<Real> {
+        (0..range.len()).map(|member| Real::new(Group::entry(&group.armature, member))).collect()
+    };
+    hinge.groups().into_iter().flat_map(of_group).collect()
 }
 
 /// Returns the effort on a strain that is a single coordinate.
