@@ -14,7 +14,7 @@ macro_rules! arm {
     ($name:ident, $($route:tt)*) => {
         mstmm_chain! {
             chain $name {
-                answers = [mass_matrix, derivatives, linearize, regressor];
+                answers = [mass_matrix, derivatives, linearize, regressor, coriolis_matrix];
                 gravity = [0, -9.8, 1] m/s^2;
                 param mass = 1.3 kg;
                 body Rod {
@@ -95,6 +95,10 @@ fn check<T: Scalar<Real = T, Mask = bool> + PartialOrd>() -> Result<(), Error> {
     let expected = written.inverse_mass_matrix(&other, &same)?;
     rope.inverse_mass_matrix_into(&one, &given, &mut matrix)?;
     agree("M⁻¹", matrix.as_slice(), expected.as_slice());
+
+    let expected = written.coriolis_matrix(&other, &same)?;
+    rope.coriolis_matrix_into(&one, &given, &mut matrix)?;
+    agree("C", matrix.as_slice(), expected.as_slice());
 
     let accelerations = SVector::from_fn(|k, _| T::constant(0.3 * k as f64 - 1.0));
     let expected = written.inverse_dynamics_derivatives(&other, &accelerations, &same)?;

@@ -10,7 +10,7 @@ mstmm_chain! {
     /// An arm with a tool, a branch and springs.
     pub chain Arm {
         answers = [
-            basic, kinematics, momentum, regressor, derivatives, linearize, push, pull,
+            basic, kinematics, momentum, regressor, derivatives, linearize, push, pull, coriolis_matrix,
         ];
         gravity = [0, 0, -9.8] m/s^2;
         param payload = 0.5 kg;
@@ -29,7 +29,7 @@ mstmm_chain! {
     /// A chain of forty links, whose matrices are computed column by column.
     pub plane chain Whip {
         answers = [
-            basic, kinematics, momentum, regressor, derivatives, linearize, push, pull,
+            basic, kinematics, momentum, regressor, derivatives, linearize, push, pull, coriolis_matrix,
         ];
         gravity = [0, -9.8] m/s^2;
         body Link { mass = 20 g; com = [1, 0] cm; output = [2, 0] cm; inertia = 1e-6 kg*m^2 about com; }
@@ -82,6 +82,8 @@ pub fn arm_answers(
     arm.inverse_mass_matrix_into(state, inputs, &mut at.matrix)?;
     arm.mass_matrix_times_into(state, inputs, &at.given, &mut at.vector)?;
     arm.inverse_mass_matrix_times_into(state, inputs, &at.given, &mut at.vector)?;
+    arm.coriolis_matrix_into(state, inputs, &mut at.matrix)?;
+    arm.coriolis_matrix_times_into(state, inputs, &at.given, &mut at.vector)?;
     arm.kinematics_into(state, inputs, &mut at.kinematics)?;
     let point = at.kinematics.tool().com();
     at.jacobians[0] = point.jacobian();
@@ -118,6 +120,7 @@ pub fn whip_answers(
     let [accelerations, change] = change;
     whip.mass_matrix_into(state, inputs, matrix)?;
     whip.inverse_mass_matrix_into(state, inputs, matrix)?;
+    whip.coriolis_matrix_into(state, inputs, matrix)?;
     whip.linearize_into(state, inputs, linearization)?;
     whip.push_into(state, inputs, variation, accelerations, change)?;
     whip.pull_into(state, inputs, change, accelerations, variation)

@@ -11,23 +11,46 @@ pub enum basic {}
 ///
 /// This word generates `bias_efforts(&state, &inputs)` and nothing else, [see the reference](crate::mstmm_chain#bias-efforts).
 ///
-/// Other tools and textbooks: `CalcBiasTerm`, `CalcInverseDynamics`, `computeCoriolisMatrix`, `getCoriolisMatrix`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`.
+/// Other tools and textbooks: `CalcBiasTerm`, `CalcInverseDynamics`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcBiasTerm")]
 #[doc(alias = "CalcInverseDynamics")]
 #[doc(alias = "Coriolis force")]
-#[doc(alias = "Coriolis matrix")]
 #[doc(alias = "bias force")]
 #[doc(alias = "centrifugal force")]
-#[doc(alias = "computeCoriolisMatrix")]
-#[doc(alias = "getCoriolisMatrix")]
 #[doc(alias = "mj_rne")]
 #[doc(alias = "nonLinearEffects")]
 #[doc(alias = "nonlinear effects")]
 #[doc(alias = "qfrc_bias")]
 #[doc(alias = "qfrc_passive")]
 pub enum bias_efforts {}
+
+/// `answers = coriolis_matrix;`: the Coriolis matrix C(q, v), with dM/dt = C + Cᵀ, and its product with a vector.
+///
+/// | method | result |
+/// |---|---|
+/// | `coriolis_matrix(&state, &inputs)` | C, N × N, in kg m²/s, kg m/s and kg/s |
+/// | `coriolis_matrix_times(&state, &inputs, &x)` | C x, in O(n) operations |
+///
+/// C has the entries ∫ Jᵢᵀ J̇ⱼ dm over all masses. Jⱼ is the velocity that a unit of rate j gives to a mass, J̇ⱼ is
+/// its time derivative along the motion. Thus dM/dt = C + Cᵀ, and dM/dt − 2 C is skew-symmetric along all motions,
+/// also with moving ends and prescribed motions. Adaptive and passivity-based controllers need C: with reference
+/// rates w and the gravity efforts g, M ẇ + C w + g is the feed-forward of J.-J. Slotine and W. Li. Without moving
+/// ends and prescribed motions, C v are the Coriolis and centrifugal efforts. Of the inputs only prescribed motions
+/// matter. A closed chain has the matrix of its open chain.
+///
+/// Other tools and textbooks: `computeCoriolisMatrix`, `getCoriolisMatrix`.
+///
+/// See [answers](crate::mstmm_chain#answers).
+#[doc(alias = "Christoffel symbols")]
+#[doc(alias = "Coriolis matrix")]
+#[doc(alias = "Slotine-Li controller")]
+#[doc(alias = "adaptive control")]
+#[doc(alias = "computeCoriolisMatrix")]
+#[doc(alias = "getCoriolisMatrix")]
+#[doc(alias = "passivity-based control")]
+pub enum coriolis_matrix {}
 
 /// `answers = derivatives;`: the derivatives of inverse dynamics.
 ///
@@ -58,9 +81,10 @@ pub enum derivatives {}
 ///
 /// The inputs are read for gravity, loads, moving ends and prescribed motions; the efforts of motors in
 /// them are not read. In a chain without springs, dampers, friction, limits, loads, moving ends and
-/// prescribed motions, `bias_efforts` less `gravity_efforts` are the Coriolis and centrifugal efforts C(q, v) v.
+/// prescribed motions, `bias_efforts` less `gravity_efforts` are the Coriolis and centrifugal efforts C(q, v) v; the matrix C is the
+/// answer [`coriolis_matrix`](crate::mstmm_chain#coriolis_matrix).
 ///
-/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `computeCoriolisMatrix`, `computeGeneralizedGravity`, `computeStaticTorque`, `getCoriolisMatrix`, `mj_inverse`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`, `rnea`.
+/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `computeGeneralizedGravity`, `computeStaticTorque`, `mj_inverse`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`, `rnea`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcBiasTerm")]
@@ -68,15 +92,12 @@ pub enum derivatives {}
 #[doc(alias = "CalcGravityGeneralizedForces")]
 #[doc(alias = "CalcInverseDynamics")]
 #[doc(alias = "Coriolis force")]
-#[doc(alias = "Coriolis matrix")]
 #[doc(alias = "bias force")]
 #[doc(alias = "centrifugal force")]
-#[doc(alias = "computeCoriolisMatrix")]
 #[doc(alias = "computeGeneralizedGravity")]
 #[doc(alias = "computeStaticTorque")]
 #[doc(alias = "computed torque")]
 #[doc(alias = "feed-forward torque")]
-#[doc(alias = "getCoriolisMatrix")]
 #[doc(alias = "gravity compensation")]
 #[doc(alias = "gravity vector")]
 #[doc(alias = "holding torque")]

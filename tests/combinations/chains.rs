@@ -5,7 +5,7 @@ use mstmm::mstmm_chain;
 mstmm_chain! {
     pub chain Space {
         gravity = input;
-        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull];
+        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull, coriolis_matrix];
         param more = 0.7 kg;
         param length = 0.6 m;
         param each[2] = 0.2 kg;
@@ -53,7 +53,7 @@ mstmm_chain! {
 
     pub plane chain Plane {
         gravity = [0.3, -9.81] m/s^2;
-        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull];
+        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull, coriolis_matrix];
         param each[3] = 0.7 kg;
         param stiffness = 2;
         body Block {
@@ -88,7 +88,7 @@ mstmm_chain! {
 
     pub line chain Line {
         gravity = input;
-        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull];
+        answers = [basic, bias_efforts, momentum, regressor, derivatives, linearize, push, pull, coriolis_matrix];
         param stiffness = 2 N/m;
         param each[3] = 0.4 kg;
         body Car { mass = 1 kg; }

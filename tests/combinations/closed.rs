@@ -2,7 +2,7 @@
 //! accelerations satisfy M v̇ + bias = τ + Gᵀ λ.
 
 use super::differences::jacobians;
-use super::identities::{mass_matrix, momentum, regressor};
+use super::identities::{coriolis_matrix, mass_matrix, momentum, regressor};
 use super::sample::{Sample, off_by};
 use mstmm::GeneratedChain;
 use mstmm::prelude::*;
@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 mstmm_chain! {
     pub chain Linkage {
         gravity = input;
-        answers = [basic, bias_efforts, momentum, regressor];
+        answers = [basic, bias_efforts, momentum, regressor, coriolis_matrix];
         param more = 0.7 kg;
         param length = 0.6 m;
         body Block {
@@ -42,7 +42,7 @@ mstmm_chain! {
 
     pub plane chain FlatLinkage {
         gravity = [0, -9.81] m/s^2;
-        answers = [basic, bias_efforts, momentum, regressor];
+        answers = [basic, bias_efforts, momentum, regressor, coriolis_matrix];
         param more = 0.7 kg;
         body Block {
             mass = 1 kg + more;
@@ -83,6 +83,7 @@ macro_rules! check {
             }
             assembled += 1;
             mass_matrix(&mut sample);
+            coriolis_matrix(&mut sample);
             regressor(&mut sample);
             momentum(&sample);
             if seed < 2 {

@@ -30,6 +30,7 @@ fn check<C: Answers<Scalar = f64> + Clone>(chain: &C) {
         println!("seed {seed}");
         let mut sample = Sample::new(chain.clone(), seed);
         mass_matrix(&mut sample);
+        coriolis_matrix(&mut sample);
         motors(&sample);
         regressor(&mut sample);
         derivatives(&mut sample);
@@ -58,6 +59,14 @@ pub(super) fn mass_matrix<C: Answers<Scalar = f64> + Clone>(sample: &mut Sample<
         let times = sample.vector_of(Answer::InverseMassMatrixTimes, x.as_slice());
         assert_small(off_by(&times, &(&inverse * &x)), "M⁻¹ x");
     }
+}
+
+/// C x is the product with the matrix.
+pub(super) fn coriolis_matrix<C: Answers<Scalar = f64> + Clone>(sample: &mut Sample<C>) {
+    let x = sample.vector(1.0);
+    let matrix = sample.matrix_of(Answer::CoriolisMatrix, &[]);
+    let times = sample.vector_of(Answer::CoriolisMatrixTimes, x.as_slice());
+    assert_small(off_by(&times, &(&matrix * &x)), "C x");
 }
 
 /// At the accelerations of forward dynamics inverse dynamics returns the efforts of the motors: a change of the effort of a

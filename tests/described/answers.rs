@@ -8,7 +8,10 @@ mstmm_chain! {
     /// A pin, a ball and a repeated slider, with parameters, inputs and all answers.
     pub chain Everything {
         gravity = [0.3, -0.2, -9.81] m/s^2;
-        answers = [inverse_dynamics, bias_efforts, mass_matrix, jacobian, momentum, regressor, derivatives, linearize, push, pull];
+        answers = [
+            inverse_dynamics, bias_efforts, mass_matrix, jacobian, momentum, regressor, derivatives, linearize, push, pull,
+            coriolis_matrix
+        ];
         param mass = 1 kg;
         param stiffness = 20 N/m;
         body Rod {
@@ -84,6 +87,8 @@ fn answers_by_name_are_those_of_the_methods() -> Result<(), Error> {
     let (mut mass_matrix, mut inverse) = (SMatrix::default(), SMatrix::default());
     chain.mass_matrix_into(&state, &inputs, &mut mass_matrix)?;
     chain.inverse_mass_matrix_into(&state, &inputs, &mut inverse)?;
+    let mut coriolis_matrix = SMatrix::default();
+    chain.coriolis_matrix_into(&state, &inputs, &mut coriolis_matrix)?;
     let (mut pushed, mut change) = (SVector::default(), SVector::default());
     chain.push_into(&state, &inputs, &variation, &mut pushed, &mut change)?;
     assert_eq!(chain.push(&state, &inputs, &variation)?, (pushed, change));
@@ -160,6 +165,10 @@ fn answers_by_name_are_those_of_the_methods() -> Result<(), Error> {
             ),
             Answer::MomentumMatrix => {
                 (&[], chain.momentum_matrix(&state, &inputs)?.as_slice().into())
+            }
+            Answer::CoriolisMatrix => (&[], coriolis_matrix.as_slice().into()),
+            Answer::CoriolisMatrixTimes => {
+                (&GIVEN, chain.coriolis_matrix_times(&state, &inputs, &vector)?.as_slice().into())
             }
             _ => unreachable!("an answer without a test"),
         };
@@ -262,9 +271,10 @@ fn given_values_that_are_not_finite_are_named() {
             Answer::InverseDynamics | Answer::InverseDynamicsDerivatives | Answer::Regressor => {
                 vec![("accelerations", n)]
             }
-            Answer::MassMatrixTimes | Answer::InverseMassMatrixTimes | Answer::Pull => {
-                vec![("vector", n)]
-            }
+            Answer::MassMatrixTimes
+            | Answer::InverseMassMatrixTimes
+            | Answer::CoriolisMatrixTimes
+            | Answer::Pull => vec![("vector", n)],
             Answer::Push => direction.to_vec(),
             _ => vec![],
         };
@@ -287,5 +297,5 @@ fn given_values_that_are_not_finite_are_named() {
             named += 1;
         }
     }
-    assert_eq!(named, 6 * n + 2 * n + inputs + of.parameters().len());
+    assert_eq!(named, 7 * n + 2 * n + inputs + of.parameters().len());
 }

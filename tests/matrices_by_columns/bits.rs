@@ -5,7 +5,7 @@ use mstmm::{Columns, Error, Scalar, mstmm_chain};
 
 mstmm_chain! {
     chain Kinds {
-        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        answers = [mass_matrix, linearize, push, derivatives, regressor, coriolis_matrix];
         gravity = input;
         param extra = 0.2 kg;
         param bend = 0.3;
@@ -45,7 +45,7 @@ mstmm_chain! {
 
 mstmm_chain! {
     plane chain Swing {
-        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        answers = [mass_matrix, linearize, push, derivatives, regressor, coriolis_matrix];
         gravity = [1, -9.8] m/s^2;
         body Rod {
             mass = 1 kg; com = [0.3, 0.1] m; output = [0.6, 0.1] m turned 20 deg; inertia = 0.1 kg*m^2 about com;
@@ -57,7 +57,7 @@ mstmm_chain! {
 
 mstmm_chain! {
     line chain Train {
-        answers = [mass_matrix, linearize, push, derivatives, regressor];
+        answers = [mass_matrix, linearize, push, derivatives, regressor, coriolis_matrix];
         gravity = 1 m/s^2;
         body Car { mass = 3 kg; output = 1 m; }
         ground -> repeat 7 { slider a -> Car b };
@@ -116,6 +116,8 @@ macro_rules! compare {
             });
             assert_eq!(motors, $motors, "columns of motors");
             let mut derivatives = $derivatives::<T>::default();
+            let mut coriolis = found.inverse_mass_matrix;
+            chain.coriolis_matrix_into(&state, &inputs, &mut coriolis)?;
             chain.inverse_dynamics_derivatives_into(&state, &zero, &inputs, &mut derivatives)?;
             for (index, column) in found.inverse_mass_matrix.column_iter().enumerate() {
                 let unit = SVector::from_fn(|row, _| T::constant(f64::from(row == index)));
@@ -123,6 +125,8 @@ macro_rules! compare {
                 assert_eq!(column, change, "column {index} of the inverse");
                 chain.mass_matrix_times_into(&state, &inputs, &unit, &mut change)?;
                 assert_eq!(derivatives.by_accelerations.column(index), change, "column {index}");
+                chain.coriolis_matrix_times_into(&state, &inputs, &unit, &mut change)?;
+                assert_eq!(coriolis.column(index), change, "column {index} of the Coriolis matrix");
             }
             let parameters = chain.dynamic_parameters();
             let regressor = chain.regressor(&state, &zero, &inputs)?;

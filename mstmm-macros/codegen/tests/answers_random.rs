@@ -4,6 +4,7 @@
 mod common;
 
 mod answers_random {
+    pub mod coriolis;
     pub mod differences;
     pub mod efforts;
     pub mod gradients;

@@ -41,6 +41,10 @@ pub enum Answer {
     Momentum,
     /// The matrix that maps rates to momentum.
     MomentumMatrix,
+    /// The Coriolis matrix.
+    CoriolisMatrix,
+    /// The product of the Coriolis matrix with a given vector.
+    CoriolisMatrixTimes,
 }
 
 /// A part of the result of an answer: a matrix, stored column by column.
@@ -70,7 +74,7 @@ impl AnswerPart {
 
 impl Answer {
     /// All answers.
-    pub const ALL: [Answer; 16] = [
+    pub const ALL: [Answer; 18] = [
         Answer::BiasEfforts,
         Answer::InverseDynamics,
         Answer::GravityEfforts,
@@ -87,6 +91,8 @@ impl Answer {
         Answer::DynamicParameters,
         Answer::Momentum,
         Answer::MomentumMatrix,
+        Answer::CoriolisMatrix,
+        Answer::CoriolisMatrixTimes,
     ];
 
     /// Returns the name of its method.
@@ -109,6 +115,8 @@ impl Answer {
             Answer::DynamicParameters => "dynamic_parameters",
             Answer::Momentum => "momentum",
             Answer::MomentumMatrix => "momentum_matrix",
+            Answer::CoriolisMatrix => "coriolis_matrix",
+            Answer::CoriolisMatrixTimes => "coriolis_matrix_times",
         }
     }
 
@@ -130,6 +138,7 @@ impl Answer {
             Answer::Pull => "pull",
             Answer::Regressor | Answer::DynamicParameters => "regressor",
             Answer::Momentum | Answer::MomentumMatrix => "momentum",
+            Answer::CoriolisMatrix | Answer::CoriolisMatrixTimes => "coriolis_matrix",
         }
     }
 
@@ -141,6 +150,7 @@ impl Answer {
             Answer::InverseDynamics
             | Answer::MassMatrixTimes
             | Answer::InverseMassMatrixTimes
+            | Answer::CoriolisMatrixTimes
             | Answer::InverseDynamicsDerivatives
             | Answer::Pull
             | Answer::Regressor => of.rates().len(),
@@ -173,8 +183,11 @@ impl Answer {
             | Answer::GravityEfforts
             | Answer::PassiveEfforts
             | Answer::MassMatrixTimes
-            | Answer::InverseMassMatrixTimes => one.map(|()| vector("", n)),
-            Answer::MassMatrix | Answer::InverseMassMatrix => one.map(|()| matrix("", n, n)),
+            | Answer::InverseMassMatrixTimes
+            | Answer::CoriolisMatrixTimes => one.map(|()| vector("", n)),
+            Answer::MassMatrix | Answer::InverseMassMatrix | Answer::CoriolisMatrix => {
+                one.map(|()| matrix("", n, n))
+            }
             Answer::Regressor => one.map(|()| matrix("", n, dynamic_parameters)),
             Answer::DynamicParameters => one.map(|()| vector("", dynamic_parameters)),
             Answer::MomentumMatrix => one.map(|()| matrix("", directions + turns, n)),

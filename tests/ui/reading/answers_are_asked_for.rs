@@ -69,6 +69,7 @@ fn main() -> Result<(), mstmm::Error> {
     let rope = Rope::<f64>::new();
     let (state, inputs) = (rope.initial_state(), rope.no_inputs());
     rope.mass_matrix(&state, &inputs)?;
+    rope.coriolis_matrix(&state, &inputs)?;
     rope.rod_jacobian_into(&state, &inputs, &mstmm::nalgebra::Vector2::zeros(), &mut dynamics)?;
     mstmm::linear::discretize(&rope, &state, &inputs, 0.1)?;
     mstmm::linear::discretize(&closed, &closed.initial_state(), &closed.no_inputs(), 0.1)?;

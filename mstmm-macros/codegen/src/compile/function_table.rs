@@ -28,7 +28,7 @@ const SOLVED: Option<Checks> = checked(&[outputs::ACCELERATIONS]);
 const GRADIENT: &[OutputId] = &[outputs::ACCELERATIONS, outputs::BY_COORDINATES];
 
 /// All functions, in the order of [`Answer::ALL`].
-pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
+pub(super) static FUNCTIONS: [FunctionSpec; 33] = [
     FunctionSpec {
         answer: Answer::Accelerations,
         when: always,
@@ -240,6 +240,18 @@ pub(super) static FUNCTIONS: [FunctionSpec; 31] = [
         trace: |chain| chain.regressor_motions(),
         checks: dense(&[outputs::MOTIONS]),
     },
+    FunctionSpec {
+        answer: Answer::CoriolisMatrixTimes,
+        when: |chain, _, _| asks(chain, Request::CoriolisMatrix),
+        trace: |chain| chain.coriolis_matrix_times(),
+        checks: checked(&[outputs::PRODUCT]),
+    },
+    FunctionSpec {
+        answer: Answer::CoriolisMatrix,
+        when: |chain, _, layout| asks(chain, Request::CoriolisMatrix) && is_dense(chain, layout),
+        trace: |chain| chain.coriolis_matrix(),
+        checks: dense(&[outputs::MATRIX]),
+    },
 ];
 
 /// The outputs must be finite; after a failure the caller's storage is unchanged.
@@ -268,6 +280,7 @@ pub(super) fn is_by_columns(chain: &Chain, layout: &Layout, answer: Answer) -> b
     match answer {
         Answer::MassMatrixTimes => lacks(Request::MassMatrix) || lacks(Request::Derivatives),
         Answer::InverseMassMatrixTimes => lacks(Request::MassMatrix) || lacks(Request::Linearize),
+        Answer::CoriolisMatrixTimes => lacks(Request::CoriolisMatrix),
         Answer::EffortsChange => lacks(Request::Derivatives),
         Answer::Push => lacks(Request::Linearize),
         Answer::RegressorTimes => asks(chain, Request::Regressor) && !chain.repeats.is_empty(),

@@ -39,6 +39,11 @@ impl<'a> ChainCompiler<'a> {
         self.efforts(outputs::PRODUCT, Some(&given), equations::mass_matrix_times)
     }
 
+    pub(super) fn coriolis_matrix_times(&self) -> Traced<'a> {
+        let given = self.given(Given::Vector);
+        self.efforts(outputs::PRODUCT, Some(&given), equations::coriolis_matrix_times)
+    }
+
     /// Returns the function for one effort at each rate.
     fn efforts(
         &self,

@@ -1,4 +1,4 @@
-//! The functions for the mass matrix and its inverse.
+//! The functions for the mass matrix and its inverse, and for the Coriolis matrix.
 
 use super::compiler::{ChainCompiler, Traced};
 use super::outputs;
@@ -21,6 +21,13 @@ impl<'a> ChainCompiler<'a> {
         });
         let outputs = vec![self.matrix(outputs::MATRIX, &matrix)];
         Function { outputs, pivots: self.pivots(&pivots), ..function }.into()
+    }
+
+    pub(super) fn coriolis_matrix(&self) -> Traced<'a> {
+        let (matrix, function) = self
+            .traced(|_, trace| equations::coriolis_matrix(&self.context(self.merged), AXES, trace));
+        let outputs = vec![self.matrix(outputs::MATRIX, &matrix)];
+        Function { outputs, ..function }.into()
     }
 
     /// Returns an output for a matrix, whose entries are written one by one.

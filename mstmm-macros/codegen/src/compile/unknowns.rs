@@ -98,7 +98,7 @@ fn given(chain: &Chain, layout: &Layout) -> Vec<Given> {
     let of_request = |request: &Request| match request {
         Request::InverseDynamics => vec![Given::Accelerations],
         Request::Regressor => vec![Given::Accelerations, Given::DynamicParameters],
-        Request::MassMatrix => vec![Given::Vector],
+        Request::MassMatrix | Request::CoriolisMatrix => vec![Given::Vector],
         Request::Jacobian => vec![Given::Vector, Given::Place],
         Request::Pull => vec![
             Given::Vector,

@@ -1,6 +1,6 @@
 //! Composite bodies: everything outboard of a hinge as one body, with the hinges further outboard held.
-//! From them follow the mass matrix and, in [`derivatives`](super::derivatives), the derivatives of
-//! inverse dynamics.
+//! From them follow the mass matrix, the derivatives of inverse dynamics in
+//! [`derivatives`](super::derivatives), and the Coriolis matrix in [`coriolis`](super::coriolis).
 //!
 //! # Notation
 //!
@@ -109,8 +109,7 @@ impl<S: Scalar> Flatten<S> for CompositeBody<S> {
 
 /// Returns `2 u` of a hinge.
 pub(super) fn twice_velocity<S: Scalar>(hinge: &HingeKinematics<S>) -> Vec3<S> {
-    let relative = hinge.to_parent.rotate(hinge.relative_velocity.linear);
-    (hinge.parent_omega.cross(hinge.arm) + relative) * S::number(2.0)
+    hinge.point_velocity() * S::number(2.0)
 }
 
 /// Returns the composite bodies of all links. The chain must be written out: no values cross the

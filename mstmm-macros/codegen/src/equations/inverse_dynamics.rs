@@ -260,7 +260,7 @@ pub(super) fn by_rates<S: Scalar>(
 }
 
 /// Returns the efforts of a hinge, or none if its motion is prescribed.
-fn of_free_rates<S: Scalar>(
+pub(super) fn of_free_rates<S: Scalar>(
     context: &EvalContext<S>,
     hinge: &HingeKinematics<S>,
     of_hinge: impl Fn(&HingeKinematics<S>) -> Vec<S>,

@@ -31,6 +31,7 @@
 mod acceleration_field;
 mod composite;
 mod constraint_forces;
+mod coriolis;
 mod dense_matrix;
 mod derivatives;
 mod energy;
@@ -70,6 +71,7 @@ mod trace;
 mod transfer;
 
 pub use composite::mass_matrix;
+pub use coriolis::{coriolis_matrix, coriolis_matrix_times};
 pub use dense_matrix::DenseMatrix;
 pub use derivatives::InverseDynamicsTangent;
 pub use energy::{Energy, energy};

@@ -65,12 +65,16 @@ pub enum Answer {
     MomentumMatrix,
     /// The motions that the regressor is made of, with several rates at a time.
     RegressorMotions,
+    /// The product of the Coriolis matrix with a vector.
+    CoriolisMatrixTimes,
+    /// The Coriolis matrix.
+    CoriolisMatrix,
 }
 
 impl Answer {
     /// All answers, in the order in which they are computed. New ones go last, so that the text of
     /// the others does not change.
-    pub const ALL: [Answer; 31] = [
+    pub const ALL: [Answer; 33] = [
         Answer::Accelerations,
         Answer::ImplicitAccelerations,
         Answer::Solution,
@@ -102,6 +106,8 @@ impl Answer {
         Answer::Momentum,
         Answer::MomentumMatrix,
         Answer::RegressorMotions,
+        Answer::CoriolisMatrixTimes,
+        Answer::CoriolisMatrix,
     ];
 
     /// Returns whether chains have this function only if their description asks for it.
@@ -143,6 +149,8 @@ impl Answer {
             Answer::Momentum => "momentum",
             Answer::MomentumMatrix => "momentum_matrix",
             Answer::RegressorMotions => "regressor_motions",
+            Answer::CoriolisMatrixTimes => "coriolis_matrix_times",
+            Answer::CoriolisMatrix => "coriolis_matrix",
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The requests of a description: the words of `answers = […];`, each for one or more functions.
 
 use Request::{
-    BiasEfforts, Derivatives, InverseDynamics, Jacobian, Kinematics, Linearize, MassMatrix,
-    Momentum, Pull, Push, Regressor,
+    BiasEfforts, CoriolisMatrix, Derivatives, InverseDynamics, Jacobian, Kinematics, Linearize,
+    MassMatrix, Momentum, Pull, Push, Regressor,
 };
 
 /// A request for functions that are not generated unless the description asks for them.
@@ -30,6 +30,8 @@ pub enum Request {
     Push,
     /// The product of a vector with the derivatives of the accelerations.
     Pull,
+    /// The Coriolis matrix, and its product with a vector.
+    CoriolisMatrix,
 }
 
 /// The words of `answers = […];` with the requests that each stands for.
@@ -45,6 +47,7 @@ pub const ANSWER_WORDS: &[(&str, &[Request])] = &[
     ("linearize", &[Linearize]),
     ("push", &[Push]),
     ("pull", &[Pull]),
+    ("coriolis_matrix", &[CoriolisMatrix]),
     ("basic", &[InverseDynamics, MassMatrix, Jacobian]),
 ];
 
@@ -71,6 +74,8 @@ pub const OTHER_ANSWERS: &[(&str, Foreign)] = &[
     ("nle", Foreign::Keyword("bias_efforts")),
     ("qfrc_bias", Foreign::Keyword("bias_efforts")),
     ("coriolis", Foreign::Keyword("bias_efforts")),
+    ("computeCoriolisMatrix", Foreign::Keyword("coriolis_matrix")),
+    ("coriolis_matrix_times", Foreign::Keyword("coriolis_matrix")),
     ("bias", Foreign::Keyword("bias_efforts")),
     ("crba", Foreign::Keyword("mass_matrix")),
     ("mass", Foreign::Keyword("mass_matrix")),

@@ -1,4 +1,4 @@
-//! Dynamics: efforts, the mass matrix, the regressor.
+//! Dynamics: efforts, the mass matrix, the Coriolis matrix, the regressor.
 
 use super::{NotAsked, Unanswered};
 
@@ -211,6 +211,59 @@ impl<C> NotAsked<C> {
     ) -> R
     where
         Self: AsksMassMatrixOfOpenChain,
+    {
+        Self::answer()
+    }
+}
+
+/// Chains whose description asks for `coriolis_matrix`.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `coriolis_matrix`",
+    label = "needs `answers = coriolis_matrix;`",
+    note = "add `answers = coriolis_matrix;` to the chain, or the word to its list: `answers = […, coriolis_matrix];`"
+)]
+pub trait AsksCoriolisMatrix: Unanswered {}
+
+/// Chains whose description asks for `coriolis_matrix`, without `repeat` and with at most 40 rates.
+#[diagnostic::on_unimplemented(
+    message = "the chain's setting `answers` omits `coriolis_matrix`, or the chain has `repeat` or more than 40 rates",
+    label = "needs `answers = coriolis_matrix;`, no `repeat` and at most 40 rates",
+    note = "add `answers = coriolis_matrix;` to the chain, or the word to its list: `answers = […, coriolis_matrix];`",
+    note = "a chain with `repeat` or more than 40 rates has `coriolis_matrix_into`, which writes to the caller's storage"
+)]
+pub trait AsksCoriolisMatrixOfShortChain: Unanswered {}
+
+impl<C> NotAsked<C> {
+    pub fn coriolis_matrix<R>(&self, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksCoriolisMatrixOfShortChain,
+    {
+        Self::answer()
+    }
+
+    pub fn coriolis_matrix_into<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksCoriolisMatrix,
+    {
+        Self::answer()
+    }
+
+    pub fn coriolis_matrix_times<R>(&self, _: impl Sized, _: impl Sized, _: impl Sized) -> R
+    where
+        Self: AsksCoriolisMatrix,
+    {
+        Self::answer()
+    }
+
+    pub fn coriolis_matrix_times_into<R>(
+        &self,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+        _: impl Sized,
+    ) -> R
+    where
+        Self: AsksCoriolisMatrix,
     {
         Self::answer()
     }

@@ -88,6 +88,7 @@ fn arms(cx: &EmitContext) -> Vec<(proc_macro2::Ident, TokenStream)> {
         (asks(Request::MassMatrix), "MassMatrix", "mass_matrix"),
         (inverse_mass_matrix, "InverseMassMatrix", "inverse_mass_matrix"),
         (asks(Request::Momentum), "MomentumMatrix", "momentum_matrix"),
+        (asks(Request::CoriolisMatrix), "CoriolisMatrix", "coriolis_matrix"),
     ] {
         if is_there {
             add(name, plain(method));
@@ -111,6 +112,7 @@ fn arms(cx: &EmitContext) -> Vec<(proc_macro2::Ident, TokenStream)> {
             "inverse_mass_matrix_times",
             &by_vector,
         ),
+        (asks(Request::CoriolisMatrix), "CoriolisMatrixTimes", "coriolis_matrix_times", &by_vector),
     ] {
         if is_there {
             add(name, of_given(method, arguments.clone()));

@@ -6,7 +6,7 @@ use super::super::arrays::usize_literal;
 use super::column_products;
 use super::derivatives::{docs_of_derivatives, docs_of_linearization, set_state};
 use super::dynamics::of_accelerations;
-use super::mass_matrix::{docs_of_inverse, docs_of_mass_matrix, square};
+use super::mass_matrix::{docs_of_coriolis_matrix, docs_of_inverse, docs_of_mass_matrix, square};
 use super::{fallible, of_state_and_inputs};
 use crate::compile::layouts;
 use crate::model::{Answer, Request};
@@ -26,6 +26,10 @@ pub(super) fn emit(cx: &EmitContext) -> TokenStream {
             let times = Answer::InverseMassMatrixTimes;
             methods.extend(matrix(cx, "inverse_mass_matrix", times, docs_of_inverse(cx)));
         }
+    }
+    if asks(Request::CoriolisMatrix) && !has(Answer::CoriolisMatrix) {
+        let times = Answer::CoriolisMatrixTimes;
+        methods.extend(matrix(cx, "coriolis_matrix", times, docs_of_coriolis_matrix(cx)));
     }
     if asks(Request::Derivatives) && !has(Answer::InverseDynamicsDerivatives) {
         methods.extend(derivatives(cx));

@@ -86,7 +86,7 @@ pub(super) fn by_value(cx: &EmitContext) -> Vec<TokenStream> {
 }
 
 /// The functions with a form that returns by value, and what it does.
-const BY_VALUE: [(Answer, &str); 9] = [
+const BY_VALUE: [(Answer, &str); 11] = [
     (Answer::Accelerations, "Returns the accelerations `v̇` of all hinges"),
     (Answer::BiasEfforts, "Returns the bias efforts"),
     (Answer::InverseDynamics, "Returns the efforts that the drives must supply"),
@@ -99,6 +99,8 @@ const BY_VALUE: [(Answer, &str); 9] = [
     ),
     (Answer::MassMatrix, "Returns the mass matrix"),
     (Answer::InverseMassMatrix, "Returns the inverse of the mass matrix"),
+    (Answer::CoriolisMatrixTimes, "Returns the product of the Coriolis matrix with a vector"),
+    (Answer::CoriolisMatrix, "Returns the Coriolis matrix"),
 ];
 
 fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
@@ -108,13 +110,13 @@ fn by_value_of(cx: &EmitContext, answer: Answer, what: &str) -> TokenStream {
     let count = usize_literal(cx.rates().total);
     let (given, passed) = match answer {
         Answer::InverseDynamics => (of_accelerations(cx), quote!(state_, accelerations_, inputs_)),
-        Answer::MassMatrixTimes | Answer::InverseMassMatrixTimes => {
+        Answer::MassMatrixTimes | Answer::InverseMassMatrixTimes | Answer::CoriolisMatrixTimes => {
             (of_vector(cx), quote!(state_, inputs_, vector_))
         }
         _ => (of_state_and_inputs(cx), quote!(state_, inputs_)),
     };
     let (returned, zeros) = match answer {
-        Answer::MassMatrix | Answer::InverseMassMatrix => (
+        Answer::MassMatrix | Answer::InverseMassMatrix | Answer::CoriolisMatrix => (
             mass_matrix::square(cx),
             quote!(#mstmm::generated::matrix([[T::constant(0.0); #count]; #count])),
         ),

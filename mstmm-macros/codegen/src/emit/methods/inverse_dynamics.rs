@@ -1,4 +1,4 @@
-//! The methods of inverse dynamics, and the products with the mass matrix.
+//! The methods of inverse dynamics, and the products with the mass matrix and the Coriolis matrix.
 
 use super::super::printer::Destination;
 use super::super::{EmitContext, docs, quaternions};
@@ -184,6 +184,24 @@ pub(super) fn inverse_mass_matrix_times(cx: &EmitContext) -> MethodTemplate {
                 /// `Error::NotFinite` if the state, the inputs or the given vector are not finite. `product` is
                 /// then unchanged.
             },
+        ],
+    )
+}
+
+pub(super) fn coriolis_matrix_times(cx: &EmitContext) -> MethodTemplate {
+    let near_one = quaternions::near_one(cx);
+    at_rates(
+        cx,
+        (quote!(coriolis_matrix_times_into), of_vector(cx), quote!(product_)),
+        [
+            quote! {
+                #[doc(alias("passivity", "Slotine-Li"))]
+                /// Computes the product `C x` of the Coriolis matrix with a vector, without the matrix. Both
+                /// have one entry per rate, in the order of `v` of the state. Of the inputs only prescribed
+                /// motions matter.
+                #(#[doc = #near_one])*
+            },
+            not_finite("the state, the inputs or the vector", "product"),
         ],
     )
 }

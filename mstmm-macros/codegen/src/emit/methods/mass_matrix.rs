@@ -1,4 +1,4 @@
-//! The methods for the mass matrix and its inverse.
+//! The methods for the mass matrix and its inverse, and for the Coriolis matrix.
 
 use super::super::arrays::usize_literal;
 use super::super::printer::Destination;
@@ -77,4 +77,30 @@ pub(super) fn docs_of_inverse(cx: &EmitContext) -> [TokenStream; 2] {
 
 pub(super) fn inverse_mass_matrix(cx: &EmitContext) -> MethodTemplate {
     method(cx, quote!(inverse_mass_matrix_into), docs_of_inverse(cx))
+}
+
+/// Returns the docs of the Coriolis matrix.
+pub(super) fn docs_of_coriolis_matrix(cx: &EmitContext) -> [TokenStream; 2] {
+    let near_one = quaternions::near_one(cx);
+    [
+        quote! {
+            #[doc(alias("computeCoriolisMatrix", "Christoffel", "passivity", "Slotine-Li"))]
+            /// Computes the Coriolis matrix `C`, with one row and column per rate in the order of `v` of the
+            /// state, in kg m²/s, kg m/s and kg/s. Along all motions `dM/dt = C + Cᵀ`, and `dM/dt − 2 C` is
+            /// skew-symmetric, with the mass matrix `M`. Without prescribed motions `C v` are the efforts that
+            /// Coriolis and centrifugal forces require. Of the inputs only prescribed motions matter.
+            #(#[doc = #near_one])*
+        },
+        quote! {
+            ///
+            /// # Errors
+            ///
+            /// `Error::NotFinite` if the state or the inputs are not finite. Entries of `matrix` may then be
+            /// overwritten.
+        },
+    ]
+}
+
+pub(super) fn coriolis_matrix(cx: &EmitContext) -> MethodTemplate {
+    method(cx, quote!(coriolis_matrix_into), docs_of_coriolis_matrix(cx))
 }

@@ -187,6 +187,8 @@ fn template(cx: &EmitContext, answer: Answer) -> MethodTemplate {
         Answer::Kinematics => kinematics::kinematics(cx),
         Answer::Momentum => momentum::momentum(cx),
         Answer::MomentumMatrix => momentum::momentum_matrix(cx),
+        Answer::CoriolisMatrixTimes => inverse_dynamics::coriolis_matrix_times(cx),
+        Answer::CoriolisMatrix => mass_matrix::coriolis_matrix(cx),
         Answer::RegressorMotions => bug!("the motions of a regressor are no public method"),
     }
 }

@@ -33,7 +33,7 @@ mod weld;
 
 pub use displacement::displaced;
 pub use law::HingeLaw;
-pub use passive_elements::{PassiveElements, passive_elements};
+pub use passive_elements::{PassiveElements, passive_elements, rotor_coriolis};
 pub use rows::{dot, identity};
 pub use strain::StrainMap;
 pub use subspace_basis::{BasisVector, SubspaceBasis, empty_basis, subspace_basis};

@@ -54,7 +54,7 @@ pub fn passive_elements<S: Scalar>(
         }
     }
     let of_elements: Vec<S> = efforts.iter().map(|along| along.effort).collect();
-    let biases = strain_bias(&hinge.kind, q, v, &rotor_inertias);
+    let biases = strain_bias(&hinge.kind, (q, v), v, &rotor_inertias);
     let along = efforts.iter().zip(&rotor_inertias).zip(biases);
     let along: Vec<S> = along.map(|((along, &rotor), bias)| along.effort - rotor * bias).collect();
     let efforts = strain::transpose_times(&strains.jacobian, &along);
@@ -108,6 +108,20 @@ impl<S: Scalar> PassiveElements<S> {
     }
 }
 
+/// Returns the product of the rotors' Coriolis matrix `Jᵀ R J̇` with a vector, for rotor inertias `R`. It is
+/// not zero if the strains depend on the coordinates in another way than linearly, as those of elastic hinges.
+pub fn rotor_coriolis<S: Scalar>(
+    kind: &HingeKind,
+    elements: &PassiveElements<S>,
+    state: (&[S], &[S]),
+    x: &[S],
+) -> Vec<S> {
+    let rotors = &elements.rotor_inertias;
+    let along = strain_bias(kind, state, x, rotors).into_iter().zip(rotors);
+    let along: Vec<S> = along.map(|(bias, &rotor)| rotor * bias).collect();
+    strain::transpose_times(&elements.strains.jacobian, &along)
+}
+
 /// Returns the strains `s`, one for each rate: coordinates minus their rest values, and rotation
 /// vectors from rest.
 fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S> {
@@ -123,8 +137,14 @@ fn strains_from_rest<S: Scalar>(kind: &HingeKind, rest: &[S], q: &[S]) -> Vec<S>
     kind.spec().groups.iter().flat_map(group).collect::<Vec<S>>()
 }
 
-/// Returns `J̇ v`, the strain accelerations at constant rates; zero without rotors.
-fn strain_bias<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotor_inertias: &[S]) -> Vec<S> {
+/// Returns `J̇ x` at rates `v`; zero without rotors. For `x = v` these are the strain accelerations at constant
+/// rates.
+fn strain_bias<S: Scalar>(
+    kind: &HingeKind,
+    (q, v): (&[S], &[S]),
+    x: &[S],
+    rotor_inertias: &[S],
+) -> Vec<S> {
     let strains = kind.law().strains(q);
     if strains.is_constant || rotor_inertias.iter().all(|rotor| rotor.vanishes()) {
         return vec![S::zero(); v.len()];
@@ -132,7 +152,7 @@ fn strain_bias<S: Scalar>(kind: &HingeKind, q: &[S], v: &[S], rotor_inertias: &[
     let coordinate_rates = kind.law().coordinate_rates(q, v);
     let moving: Vec<Dual<S>> =
         q.iter().zip(coordinate_rates).map(|(&q, rate)| Dual::new(q, rate)).collect();
-    let rates_held: Vec<Dual<S>> = v.iter().map(|&v| Dual::new(v, S::zero())).collect();
+    let held: Vec<Dual<S>> = x.iter().map(|&x| Dual::new(x, S::zero())).collect();
     let moving = kind.law().strains(&moving);
-    strain::times(&moving.jacobian, &rates_held).iter().map(|sum| sum.derivative()).collect()
+    strain::times(&moving.jacobian, &held).iter().map(|sum| sum.derivative()).collect()
 }

@@ -157,6 +157,36 @@ impl<S: Scalar> HingeTransform<S> {
     }
 }
 
+impl<S: Scalar> HingeTransform<S> {
+    /// Returns `Ṡ`: the time derivatives of the columns of the motion subspace in axes that do not rotate, work
+    /// axes.
+    ///
+    /// `omega` are the angular velocities of the parent and of the child, `relative` is the motion of the
+    /// child's point and frame relative to the parent's. A column that is constant on one side rotates with
+    /// it. In the inward direction, a column is that of the outboard origin, shifted by `−d` to the inboard
+    /// origin; so `ω × (−ḋ)` is added, with `−ḋ` relative to the side where the column is constant.
+    pub fn subspace_rates(
+        &self,
+        subspace: &[Motion<S>],
+        ([parent, child], relative): ([Vec3<S>; 2], Motion<S>),
+        axes: &ToWorkAxes<S>,
+    ) -> Vec<Motion<S>> {
+        let offset = self.outboard_offset.map(|offset| axes.child_to_work * offset);
+        let rate = |(column, fixed): (&Motion<S>, &OrientedColumn<S>)| {
+            let side = if fixed.on_child { child } else { parent };
+            let linear = side.cross(column.linear);
+            let angular = side.cross(column.angular);
+            let Some(offset) = offset else { return Motion { linear, angular } };
+            let shift = match fixed.on_child {
+                true => relative.linear + relative.angular.cross(offset),
+                false => relative.linear,
+            };
+            Motion { linear: linear + column.angular.cross(shift), angular }
+        };
+        subspace.iter().zip(&self.columns).map(rate).collect()
+    }
+}
+
 /// Returns `Σ motion · amount`.
 pub fn combine<'a, S: Scalar + 'a>(
     motions: impl Iterator<Item = &'a Motion<S>>,

@@ -1,7 +1,7 @@
 //! Kinematics across one hinge, from its parent to its child.
 
 use super::super::EvalContext;
-use super::super::hinge::{self, PassiveElements, SubspaceBasis, ToWorkAxes};
+use super::super::hinge::{self, HingeTransform, PassiveElements, SubspaceBasis, ToWorkAxes};
 use super::super::strategy::Axes;
 use super::PartKinematics;
 use crate::math::{FrameOrientation, Motion, Rotation, Scalar, Vec3, Wrench};
@@ -38,6 +38,8 @@ pub struct HingeKinematics<S> {
     pub bias_acceleration: BiasAcceleration<S>,
     /// Rotation from aligned child axes of the hinge to work axes.
     pub child_to_work: FrameOrientation<S>,
+    /// The transform across the hinge, and the rotations from its aligned axes to work axes.
+    transform: (HingeTransform<S>, ToWorkAxes<S>),
 }
 
 /// The bias acceleration `b` of a hinge: the acceleration of the child's point that velocities and
@@ -68,6 +70,21 @@ impl<S: Scalar> HingeKinematics<S> {
     /// Returns `X a_p`: the motion of the child's point if the hinge were rigid.
     pub fn motion_from_parent(&self, parent: Motion<S>) -> Motion<S> {
         parent.shifted_to(self.arm).rotated_back(&self.to_parent)
+    }
+
+    /// Returns the velocity `u` of the child's point relative to the parent's, in axes that do not rotate;
+    /// parent's work axes.
+    pub fn point_velocity(&self) -> Vec3<S> {
+        let relative = self.to_parent.rotate(self.relative_velocity.linear);
+        self.parent_omega.cross(self.arm) + relative
+    }
+
+    /// Returns `Ṡ`: the time derivatives of the columns of the motion subspace, in axes that do not rotate.
+    pub fn subspace_rates(&self) -> Vec<Motion<S>> {
+        let (transform, work) = &self.transform;
+        let parent = self.to_parent.rotate_back(self.parent_omega);
+        let omega = [parent, parent + self.relative_velocity.angular];
+        transform.subspace_rates(&self.subspace, (omega, self.relative_velocity), work)
     }
 
     /// Returns `X a_p + b`.
@@ -153,6 +170,7 @@ pub fn hinge_kinematics<S: Scalar>(
         offset,
         subspace,
         aligned_subspace: transform.subspace(&of_child),
+        transform: (transform, work),
         basis,
         passives,
         efforts,

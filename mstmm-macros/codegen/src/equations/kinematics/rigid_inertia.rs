@@ -32,6 +32,16 @@ impl<S: Scalar> RigidInertia<S> {
         Wrench { force: self.first_moment.centripetal_by_products(omega), moment }
     }
 
+    /// Returns `∫ [w × ṙ; r × (w × ṙ)] dm` with `ṙ = Ω × r`: the wrench that a part with the angular velocity
+    /// `omega` requires if a field adds `w × ṙ` to the acceleration of each mass. For `w = Ω` it is the
+    /// velocity wrench. The moment is `−Ω × (∫ r rᵀ dm w)`.
+    pub fn coriolis_wrench(&self, omega: Vec3<S>, w: Vec3<S>) -> Wrench<S> {
+        let half = self.inertia.trace() * S::number(0.5);
+        let reduced = self.inertia + Sym3::diagonal([-half; 3]);
+        let force = w.cross(omega.cross(self.first_moment));
+        Wrench { force, moment: omega.cross(reduced * w) }
+    }
+
     /// Returns the wrench about the point that a motion of the part requires, `I a + p`.
     pub fn needed_wrench(&self, acceleration: Motion<S>, omega: Vec3<S>) -> Wrench<S> {
         self.spatial().times(acceleration) + self.velocity_wrench(omega)

@@ -25,7 +25,7 @@ pub(super) fn requests_fit_closed_chains(draft: &Draft, diagnostics: &mut Diagno
 }
 
 /// The answers of a closed chain, for a message.
-const CLOSED: &str = "[basic, momentum, regressor]";
+const CLOSED: &str = "[basic, momentum, regressor, coriolis_matrix]";
 
 fn is_for_open_chains(request: Request) -> bool {
     match request {
@@ -33,6 +33,7 @@ fn is_for_open_chains(request: Request) -> bool {
         Request::InverseDynamics
         | Request::BiasEfforts
         | Request::MassMatrix
+        | Request::CoriolisMatrix
         | Request::Kinematics
         | Request::Jacobian
         | Request::Momentum

@@ -326,7 +326,7 @@ fn derivatives_are_for_open_chains() {
     let message = |word: &str| {
         format!(
             "a chain that is held at both ends has no `{word}` yet: remove the word, or leave one end free; its \
-             derivatives are those by `Dual` numbers as scalars, and its answers are `[basic, momentum, regressor]`"
+             derivatives are those by `Dual` numbers as scalars, and its answers are `[basic, momentum, regressor, coriolis_matrix]`"
         )
     };
     let text = format!(
