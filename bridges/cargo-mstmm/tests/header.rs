@@ -119,6 +119,7 @@ fn no_answer_is_silently_absent() {
         ("linearize", "mstmm_a_linearize("),
         ("push", "mstmm_a_push("),
         ("pull", "mstmm_a_pull("),
+        ("coriolis_matrix", "mstmm_a_coriolis_matrix("),
     ];
     let known = mstmm_codegen::model::ANSWER_WORDS.iter().filter(|(_, of)| of.len() == 1);
     assert_eq!(known.map(|(word, _)| *word).collect::<Vec<_>>(), words.map(|(word, _)| word));

@@ -394,6 +394,21 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         """
         return self._compute(15, x, inputs, None, threads, errors)
 
+    def coriolis_matrix(self, x, inputs=None, *, threads=0, errors="raise"):
+        """Returns the Coriolis matrix C, in kg m²/s for rotations, kg/s for translations and kg m/s between them.
+
+        The shape is (rows, n, n), in the order of `rates`. The derivative of the mass matrix along the motion is C + Cᵀ.
+        """
+        return self._compute(16, x, inputs, None, threads, errors)
+
+    def coriolis_matrix_times(self, x, vector, inputs=None, *, threads=0, errors="raise"):
+        """Returns the product of the Coriolis matrix with a vector, without the matrix.
+
+        Of rates in rad/s and m/s it is efforts in N m and N. Both have the shape (rows, n), in the order of `rates`; the vector may
+        have (n,).
+        """
+        return self._compute(17, x, inputs, vector, threads, errors)
+
 
 def _plain(names):
     return all(name.isidentifier() for name in names)

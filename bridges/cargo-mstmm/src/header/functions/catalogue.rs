@@ -7,7 +7,9 @@ use std::borrow::Cow;
 
 /// Returns the functions, each with whether the chain has it.
 pub fn all(has: &Has) -> Vec<(Function, bool)> {
-    let mut all = [dynamics(has), mass_matrix(has), derivatives(has), regressor(has)].concat();
+    let mut all =
+        [dynamics(has), mass_matrix(has), coriolis_matrix(has), derivatives(has), regressor(has)]
+            .concat();
     if has.tables.rates.length == 0 {
         all.clear();
     }
@@ -152,16 +154,18 @@ fn dynamics(has: &Has) -> Vec<(Function, bool)> {
     ]
 }
 
+/// Returns the function for a matrix with a row and a column for each rate.
+fn of_matrix(name: &'static str, docs: &'static str) -> Function {
+    let compute = format!(
+        "let mut matrix = SMatrix::zeros();\n    \
+         let computed = chain.{name}_into(&state, &inputs, &mut matrix);"
+    );
+    function(name, docs, (vec![], vec![square("matrix")]), &compute)
+}
+
 fn mass_matrix(has: &Has) -> Vec<(Function, bool)> {
     let asked = has.asks(Request::MassMatrix);
     let vector = || Some(rates("vector", "any vector"));
-    let of_matrix = |name: &'static str, docs: &'static str| {
-        let compute = format!(
-            "let mut matrix = SMatrix::zeros();\n    \
-             let computed = chain.{name}_into(&state, &inputs, &mut matrix);"
-        );
-        function(name, docs, (vec![], vec![square("matrix")]), &compute)
-    };
     vec![
         (
             to_rates(
@@ -196,6 +200,28 @@ fn mass_matrix(has: &Has) -> Vec<(Function, bool)> {
             asked
                 && (has.computes(Answer::InverseMassMatrix)
                     || has.computes(Answer::InverseMassMatrixTimes)),
+        ),
+    ]
+}
+
+fn coriolis_matrix(has: &Has) -> Vec<(Function, bool)> {
+    let asked = has.asks(Request::CoriolisMatrix);
+    vec![
+        (
+            to_rates(
+                "coriolis_matrix_times",
+                "Computes the product of the Coriolis matrix with a vector in the order of `v`.",
+                Some(rates("vector", "any vector")),
+                "product",
+            ),
+            asked,
+        ),
+        (
+            of_matrix(
+                "coriolis_matrix",
+                "Computes the Coriolis matrix, with a row and a column for each entry of `v`.",
+            ),
+            asked,
         ),
     ]
 }
