@@ -212,7 +212,9 @@ pub enum kinematics {}
 /// small displacements along the rates, then N changes of the rates. The documentation of
 /// `NameLinearization` lists the columns of inputs and parameters.
 /// [`linear::discretize`](crate::linear::discretize) computes A and B of a step with held inputs, and
-/// [`linear::lqr`](crate::linear::lqr) the gain of a regulator; both need this word.
+/// [`linear::lqr`](crate::linear::lqr) the gain of a regulator; both need this word. Derivatives with respect to a
+/// small inertia are differences of larger numbers. They lose as many digits as the ratio to the inertia of the bodies around
+/// it has; those of `push` do not.
 ///
 /// Other tools and textbooks: `FirstOrderTaylorApproximation`, `Linearize`, `computeABADerivatives`, `linearisation`, `linearization`, `mjd_transitionFD`.
 ///
