@@ -40,7 +40,7 @@ use super::base_parameters::base_kinematics;
 use super::composite::{composite_bodies, unit_vector};
 use super::dense_matrix::DenseMatrix;
 use super::hinge::{combine, rotor_coriolis};
-use super::inverse_dynamics::{along_rates, by_rates, hinge_wrenches, of_free_rates};
+use super::inverse_dynamics::{hinge_wrenches, with_efforts_of_hinges};
 use super::kinematics::{HingeKinematics, LinkKinematics};
 use super::loop_hinge::loop_hinge;
 use super::sweep::Flatten;
@@ -103,16 +103,7 @@ pub fn coriolis_matrix_times<S: Scalar>(
     let wrenches = links.iter().zip(&fields).map(|(link, field)| field.wrench(link)).collect();
     let wrenches = hinge_wrenches(context, &links, wrenches, trace);
     let rotors = |hinge: &HingeKinematics<S>| of_rotors(context, hinge, given(hinge));
-    let of_link = |hinge: &HingeKinematics<S>, wrench| {
-        let along = along_rates(hinge, wrench).into_iter();
-        along.zip(rotors(hinge)).map(|(along, rotor)| along + rotor).collect()
-    };
-    let mut product = by_rates(context, &links, &wrenches, of_link);
-    if let Some(closed) = closed {
-        let range = context.layout.v[closed.hinge.id].clone();
-        product[range].copy_from_slice(&of_free_rates(context, &closed.hinge, rotors));
-    }
-    product
+    with_efforts_of_hinges(context, (&links, closed), &wrenches, rotors)
 }
 
 /// Returns the Coriolis matrix, with one row and column for each free rate. The chain must be written out. A

@@ -21,7 +21,7 @@ use super::forward_dynamics::{ForwardDynamics, OutboardState, SweepResult};
 use super::hinge::combine;
 use super::kinematics::{HingeKinematics, LinkKinematics};
 use super::loads::{loads, spring_wrenches};
-use super::loop_hinge::loop_hinge;
+use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::sweep::PerLink;
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::ids::IdVec;
@@ -114,17 +114,9 @@ pub fn passive_efforts<S: Scalar>(
 ) -> Vec<S> {
     let links = kinematics(context, axes, trace);
     let wrenches = hinge_wrenches(context, &links, spring_wrenches(context, &links), trace);
-    let of_link = |hinge: &HingeKinematics<S>, wrench| {
-        let along = along_rates(hinge, wrench).into_iter();
-        along.zip(&hinge.passives.element_efforts).map(|(along, &own)| along + own).collect()
-    };
-    let mut efforts = by_rates(context, &links, &wrenches, of_link);
-    if let Some(closed) = loop_hinge(context, axes, &links) {
-        let range = context.layout.v[closed.hinge.id].clone();
-        let of_elements = |hinge: &HingeKinematics<S>| hinge.passives.element_efforts.clone();
-        efforts[range].copy_from_slice(&of_free_rates(context, &closed.hinge, of_elements));
-    }
-    efforts
+    let of_elements = |hinge: &HingeKinematics<S>| hinge.passives.element_efforts.clone();
+    let closed = loop_hinge(context, axes, &links);
+    with_efforts_of_hinges(context, (&links, closed), &wrenches, of_elements)
 }
 
 /// Returns the efforts at all free rates that balance loads and springs between bodies.
@@ -164,16 +156,7 @@ pub fn mass_matrix_times<S: Scalar>(
         let given = context.given_accelerations(hinge.id).unwrap_or_default();
         hinge.passives.rotor_efforts(given)
     };
-    let of_link = |hinge: &HingeKinematics<S>, wrench| {
-        let along = along_rates(hinge, wrench).into_iter();
-        along.zip(rotors(hinge)).map(|(along, rotor)| along + rotor).collect()
-    };
-    let mut efforts = by_rates(context, &links, &wrenches, of_link);
-    if let Some(closed) = closed {
-        let range = context.layout.v[closed.hinge.id].clone();
-        efforts[range].copy_from_slice(&of_free_rates(context, &closed.hinge, rotors));
-    }
-    efforts
+    with_efforts_of_hinges(context, (&links, closed), &wrenches, rotors)
 }
 
 /// Returns the accelerations of all links' points by equation (1).
@@ -259,8 +242,28 @@ pub(super) fn by_rates<S: Scalar>(
     efforts
 }
 
+/// Returns the efforts at all free rates, from the wrenches in the hinges and the efforts of their own parts. The loop hinge
+/// of a closed chain is open and has only the latter.
+pub(super) fn with_efforts_of_hinges<S: Scalar>(
+    context: &EvalContext<S>,
+    (links, closed): (&PerLink<LinkKinematics<S>>, Option<LoopHinge<S>>),
+    wrenches: &PerLink<Wrench<S>>,
+    own: impl Fn(&HingeKinematics<S>) -> Vec<S>,
+) -> Vec<S> {
+    let of_link = |hinge: &HingeKinematics<S>, wrench| {
+        let along = along_rates(hinge, wrench).into_iter();
+        along.zip(own(hinge)).map(|(along, own)| along + own).collect()
+    };
+    let mut efforts = by_rates(context, links, wrenches, of_link);
+    if let Some(closed) = closed {
+        let range = context.layout.v[closed.hinge.id].clone();
+        efforts[range].copy_from_slice(&of_free_rates(context, &closed.hinge, own));
+    }
+    efforts
+}
+
 /// Returns the efforts of a hinge, or none if its motion is prescribed.
-pub(super) fn of_free_rates<S: Scalar>(
+fn of_free_rates<S: Scalar>(
     context: &EvalContext<S>,
     hinge: &HingeKinematics<S>,
     of_hinge: impl Fn(&HingeKinematics<S>) -> Vec<S>,
