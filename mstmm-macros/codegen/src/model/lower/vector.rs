@@ -5,7 +5,7 @@ use super::dimension::Quantity;
 use super::number::Measured;
 use super::unit::misread_symbol;
 use crate::diag::did_you_mean;
-use crate::model::{Source, Value};
+use crate::model::{Dimension, Source, Value};
 use crate::syntax::{
     ExprKind, ExprSyntax, FORMS, FieldSyntax, FormSyntax, ListSyntax, SpanRange, ValueSyntax,
 };
@@ -115,7 +115,9 @@ impl Context<'_> {
         if found != count {
             let message = if count == self.space.translations().len() {
                 let chain = self.of_chain();
-                format!("expected {count} components of a vector{chain}, found {found}")
+                let is_plane = (self.space, found) == (Dimension::Space, 2);
+                let hint = if is_plane { "; a `plane chain` has 2" } else { "" };
+                format!("expected {count} components of a vector{chain}, found {found}{hint}")
             } else {
                 format!("expected {count} numbers `{}`, found {found}", brackets(count))
             };

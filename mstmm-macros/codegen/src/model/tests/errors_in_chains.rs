@@ -191,7 +191,7 @@ fn loads_act_at_points_of_bodies() {
         &at("output"),
         &[("output", "body `Rod` has no output: give its type an `output`")],
     );
-    expect_load(&at("[1, 2] m"), &[("[1, 2]", "expected 3 components …, found 2")]);
+    expect_load(&at("[1, 2] m"), &[("[1, 2]", "expected 3 components …, found 2; …")]);
     expect_load(
         "load push { on = rod; force = input; axes = bdy; }",
         &[("bdy", "expected `inertial` or `body`, found `bdy`; did you mean `body`?")],

@@ -39,7 +39,7 @@ fn arguments_have_their_form() {
     for arguments in ["(1 m, 2 m, 3 m)", "()", "(size = [1, 2, 3] m)", "([1, 2, 3], [1, 2, 3])"] {
         expect_shape(&format!("box{arguments}"), &[(arguments, of_box)]);
     }
-    let components = "expected 3 components …, found 2";
+    let components = "expected 3 components …, found 2; …";
     expect_shape("box([1, 2] m)", &[("[1, 2]", components)]);
     let of_sphere = "write a sphere as `sphere(radius = …)`";
     expect_shape("sphere(5 cm)", &[("(5 cm)", of_sphere)]);
