@@ -103,12 +103,11 @@ impl<C: Chain> Dopri5<C> {
     /// Makes an integrator with these tolerances for the error of one step.
     ///
     /// `relative` is relative to each entry of the state, `absolute` is in the unit of the entry. One of them may be
-    /// zero. A relative tolerance below four times the machine epsilon is raised to it, since rounding exceeds less.
+    /// zero. A relative tolerance below four times the machine epsilon counts as this, since rounding exceeds less.
     pub fn new(relative: Real<C>, absolute: Real<C>) -> Self {
         let state = |_| C::State::zero_position();
-        let least = Real::<C>::constant(4.0) * Real::<C>::epsilon();
         Self {
-            relative: if relative < least { least } else { relative },
+            relative,
             absolute,
             control: StepControl::new(),
             statistics: Statistics::default(),

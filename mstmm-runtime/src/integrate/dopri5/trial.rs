@@ -80,7 +80,7 @@ impl<C: Chain> Dopri5<C> {
     ) -> Result<Real<C>, Failure<X>> {
         let (small, hundredth) = (Real::<C>::constant(1e-5), Real::<C>::constant(0.01));
         let (relative, absolute) =
-            (C::Scalar::splat(self.relative), C::Scalar::splat(self.absolute));
+            (C::Scalar::splat(reachable(self.relative)), C::Scalar::splat(self.absolute));
         let size =
             |value: &C::State, start: &C::State| norm(value, (start, start), relative, absolute);
         let Self { steps: [a, b], end, scratch: second, .. } = self;
@@ -190,9 +190,15 @@ impl<C: Chain> Dopri5<C> {
         let limited = is_limited([k1, k2, k3, k4, k5, k6, k7]);
         weighted_sum(k2, E.map(|e| step * C::Scalar::constant(e)), [k1, k3, k4, k5, k6, k7]);
         let (relative, absolute) =
-            (C::Scalar::splat(self.relative), C::Scalar::splat(self.absolute));
+            (C::Scalar::splat(reachable(self.relative)), C::Scalar::splat(self.absolute));
         Ok((norm(k2, (start, state), relative, absolute), limited))
     }
+}
+
+/// Returns a relative tolerance that rounding does not exceed.
+fn reachable<R: Scalar + PartialOrd>(relative: R) -> R {
+    let least = R::constant(4.0) * R::epsilon();
+    if relative < least { least } else { relative }
 }
 
 /// Returns the end of a step of this size from `start`: `limit` if that is near, and not so close before it that the
