@@ -100,6 +100,16 @@ static const struct question questions[] = {
      [](const double *state, double *) { pin::computeMinverse(model, *data, coordinates(state)); },
      [](const double *, double *result) { put(result, whole(data->Minv)); },
      [](size_t n) { return n * n; }},
+    {"coriolis_matrix",
+     [](const double *state, double *) {
+         pin::computeCoriolisMatrix(model, *data, coordinates(state), rates(state));
+     },
+     // Also the mass matrix, by which a floating base's columns are converted.
+     [](const double *state, double *result) {
+         result = put(result, data->C);
+         put(result, whole(pin::crba(model, *data, coordinates(state))));
+     },
+     [](size_t n) { return 2 * n * n; }},
     {"jacobian",
      [](const double *state, double *) {
          auto axes = pin::LOCAL_WORLD_ALIGNED;

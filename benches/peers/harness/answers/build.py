@@ -30,9 +30,9 @@ MUJOCO = {
     "derivatives",
     "linearize",
 }
-PINOCCHIO_ANSWERS = MUJOCO | {"regressor"}
+PINOCCHIO_ANSWERS = MUJOCO | {"coriolis_matrix", "regressor"}
 DYNIBO = {"accelerations", "inverse_dynamics", "mass_matrix", "jacobian"}
-WITHOUT_CASADI = {"jacobian", "regressor"}
+WITHOUT_CASADI = {"coriolis_matrix", "jacobian", "regressor"}
 
 DYNIBO_MANIFEST = f"""[package]
 name = "dynibo-contender"

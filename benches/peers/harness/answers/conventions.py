@@ -66,6 +66,15 @@ class Pinocchio:
     def inverse_mass_matrix(self, results: Array) -> Array:
         return self.both(self.square(results))
 
+    def coriolis_matrix(self, results: Array) -> Array:
+        """The rates of the base are in rotating axes there: C becomes A (C Aᵀ + M d(Aᵀ)/dt)."""
+        c, m = np.moveaxis(results.reshape(-1, 2, self.n, self.n), 1, 0)
+        if not self.case.floating:
+            return np.asarray(c)
+        change = np.zeros_like(m)
+        change[:, BASE, BASE] = -skew(self.omega) @ np.swapaxes(self.r, 1, 2)
+        return np.asarray(self.both(c) + self.axes @ m @ change)
+
     def jacobian(self, results: Array) -> Array:
         matrix = results.reshape(len(results), 6, self.n)
         return matrix @ np.swapaxes(self.axes, 1, 2) if self.case.floating else matrix

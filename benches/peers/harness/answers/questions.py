@@ -40,6 +40,7 @@ QUESTIONS = [
     Question("bias_efforts", "bias efforts"),
     Question("mass_matrix", "mass matrix"),
     Question("inverse_mass_matrix", "inverse mass matrix"),
+    Question("coriolis_matrix", "Coriolis matrix"),
     Question("jacobian", "Jacobian of the tip"),
     Question("regressor", "regressor"),
     Question("derivatives", "derivatives of inverse dynamics, with M"),
@@ -85,6 +86,7 @@ def shapes(case: Case, question: str) -> list[list[tuple[str, int]]]:
     return {
         "mass_matrix": [matrix],
         "inverse_mass_matrix": [matrix],
+        "coriolis_matrix": [matrix],
         "jacobian": [[("velocity", 3), rates], [("angular velocity", 3), rates]],
         "regressor": [[rates, ("parameters", 10 * len(case.bodies))]],
         "derivatives": [matrix, matrix, matrix],

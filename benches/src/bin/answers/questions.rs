@@ -85,6 +85,13 @@ macro_rules! matrices {
                 |s, out| $chain.inverse_mass_matrix_into(&s.state, &s.inputs, out),
                 entries,
             )),
+            "coriolis_matrix" => Some(perform(
+                &$samples,
+                $task,
+                zero,
+                |s, out| $chain.coriolis_matrix_into(&s.state, &s.inputs, out),
+                entries,
+            )),
             "derivatives" => Some(perform(
                 &$samples,
                 $task,

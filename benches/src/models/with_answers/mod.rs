@@ -13,7 +13,7 @@ macro_rules! mstmm_chain {
     ($($(#[$doc:meta])* pub $($word:ident)+ { $($items:tt)* })*) => {
         ::mstmm::mstmm_chain! {
             $($(#[$doc])* pub $($word)+ {
-                answers = [basic, regressor, derivatives, linearize, push, pull];
+                answers = [basic, coriolis_matrix, regressor, derivatives, linearize, push, pull];
                 $($items)*
             })*
         }
