@@ -1,6 +1,7 @@
 //! The functions of a chain in C that depend on its description.
 
 mod catalogue;
+mod makers;
 
 use mstmm_codegen::emit::Tables;
 use mstmm_codegen::model::{Answer, Chain, Dimension, Request};
