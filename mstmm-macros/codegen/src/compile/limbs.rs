@@ -65,11 +65,7 @@ fn add_link(
         let quantity = match input.what {
             InputKind::Efforts(hinge) if hinge == link.hinge => LimbQuantity::Effort,
             InputKind::Motion(hinge) if hinge == link.hinge => LimbQuantity::Motion,
-            InputKind::Force(load) | InputKind::Torque(load) if on_link(chain.loads[load].body) => {
-                loads += 1;
-                LimbQuantity::Load(loads)
-            }
-            InputKind::SpringForce(spring) if on_link(chain.springs[spring].on.body) => {
+            what if chain.body_of_input(what).is_some_and(on_link) => {
                 loads += 1;
                 LimbQuantity::Load(loads)
             }

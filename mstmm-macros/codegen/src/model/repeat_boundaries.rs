@@ -171,15 +171,23 @@ impl Chain {
         self.repeats.position(|repeat| repeat.bodies.contains(body))
     }
 
+    /// Returns the body that an input acts on; `None` for gravity and inputs of hinges.
+    pub fn body_of_input(&self, what: InputKind) -> Option<BodyId> {
+        match what {
+            InputKind::Force(load) | InputKind::Torque(load) => Some(self.loads[load].body),
+            InputKind::SpringForce(spring) => Some(self.springs[spring].on.body),
+            InputKind::Gravity | InputKind::Efforts(_) | InputKind::Motion(_) => None,
+        }
+    }
+
     /// Returns the repeated part of an input.
     pub fn repeat_of_input(&self, what: InputKind) -> Option<RepeatId> {
         match what {
             InputKind::Gravity => None,
             InputKind::Efforts(hinge) | InputKind::Motion(hinge) => self.repeat_of_hinge(hinge),
-            InputKind::Force(load) | InputKind::Torque(load) => {
-                self.repeat_of_body(self.loads[load].body)
+            InputKind::Force(_) | InputKind::Torque(_) | InputKind::SpringForce(_) => {
+                self.body_of_input(what).and_then(|body| self.repeat_of_body(body))
             }
-            InputKind::SpringForce(spring) => self.repeat_of_body(self.springs[spring].on.body),
         }
     }
 
