@@ -202,7 +202,8 @@ pub(super) fn list(mut inside: Cursor) -> Result<Vec<ExprSyntax>> {
     let mut entries = Vec::new();
     while !inside.is_empty() {
         if inside.peek_group(Delimiter::Bracket) {
-            return Err(inside.unexpected("a number"));
+            let message = "write all numbers in one list, without brackets inside it";
+            return Err(Error::new(inside.next_span(), message));
         }
         entries.push(number(&mut inside)?);
         if inside.punct(',').is_none() {

@@ -188,6 +188,9 @@ fn rows(mut inside: Cursor, extent: SpanRange) -> Result<Vec<ExprSyntax>> {
     let shape = |at: SpanRange| Error::new_spanned(at, format!("write a matrix as `{MATRIX}`"));
     let mut entries = Vec::new();
     while let Some((row, brackets)) = inside.group(Delimiter::Bracket) {
+        if row.peek_group(Delimiter::Bracket) {
+            return Err(shape(brackets));
+        }
         let row = number::list(row)?;
         if row.len() != 3 {
             return Err(shape(brackets));

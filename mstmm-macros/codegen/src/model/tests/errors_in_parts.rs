@@ -280,6 +280,10 @@ fn matrices_of_inertia_are_symmetric() {
     expect(original, &matrix("[1, 0, 0], [0, 1]"), &[("[0, 1]", shape)]);
     expect(original, &matrix("[1, 0, 0], [0, 1, 0]"), &[("([1, 0, 0], [0, 1, 0])", shape)]);
     expect(original, "[[1, 0, 0], [0, 1, 0], [0, 0, 1]] about com", &[("[", shape)]);
+    let nested = "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    expect(original, &matrix(nested), &[(nested, shape)]);
+    let list = "write all numbers in one list, without brackets inside it";
+    expect(original, "diag([1, 1, 1]) about com", &[("[1, 1, 1]", list)]);
     expect(
         original,
         &matrix("[1, 0, 0], [0, -1, 0], [0, 0, 1]"),
