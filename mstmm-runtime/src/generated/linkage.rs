@@ -10,7 +10,7 @@ pub fn loop_closure<T: Scalar, const C: usize>(undetermined: [[T; 6]; C]) -> Loo
 }
 
 /// The largest number of corrections until a chain is closed.
-const MAX_CORRECTIONS: u32 = 50;
+pub const CORRECTIONS: u32 = 50;
 
 /// Closes a chain by Newton's method.
 ///
@@ -38,11 +38,11 @@ pub fn assemble<S: ChainState>(
 
     let start = state.clone();
     let mut before = Real::<S>::constant(f64::INFINITY);
-    for correction in 0..MAX_CORRECTIONS {
+    for correction in 0..CORRECTIONS {
         let residual = correct(state);
         let distance = residual[0].max_lane();
         let is_closed = distance <= closed || (distance <= near && distance >= before);
-        let is_last = correction + 1 == MAX_CORRECTIONS && distance <= near;
+        let is_last = correction + 1 == CORRECTIONS && distance <= near;
         if (is_closed || is_last) && is_finite(state) {
             correct_derivatives(state, correct);
             let checked = if is_finite(state) {

@@ -6,7 +6,7 @@
 use crate::{Error, Mask, Scalar};
 
 /// The largest rotation of a hinge by one correction, in rad.
-const LARGEST: f64 = 0.5;
+pub const LARGEST_ROTATION: f64 = 0.5;
 
 /// Consecutive coordinates that are angles of a hinge or its quaternion.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +47,7 @@ pub fn limit_rotations<T: Scalar>(
     after: &mut [T],
     table: &[RotationCoordinates],
 ) -> bool {
-    let limit = T::constant(LARGEST);
+    let limit = T::constant(LARGEST_ROTATION);
     let largest = largest_rotation(before, after, table);
     let exceeds = largest.simd_gt(limit);
     if (!exceeds).all() {
@@ -71,6 +71,6 @@ pub fn check_rotations<T: Scalar>(
     after: &[T],
     table: &[RotationCoordinates],
 ) -> Result<(), Error> {
-    let exceeds = largest_rotation(before, after, table).simd_gt(T::constant(LARGEST));
+    let exceeds = largest_rotation(before, after, table).simd_gt(T::constant(LARGEST_ROTATION));
     if (!exceeds).all() { Ok(()) } else { Err(Error::NotAssembled) }
 }

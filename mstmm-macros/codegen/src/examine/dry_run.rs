@@ -3,13 +3,12 @@
 use crate::equations::{
     self, Axes, EvalContext, ForwardDynamics, SweepResult, SymbolValues, Trace,
 };
-use crate::math::Structured;
-use crate::model::{Chain, ClosureRank, InputKind, Layout, SolutionMethod};
+use crate::math::{CORRECTIONS, LARGEST_ROTATION, Structured};
+use crate::model::{
+    Chain, ClosureRank, InputKind, Layout, RotationCoordinates, SolutionMethod,
+    rotation_coordinates,
+};
 
-/// The largest number of projections. They converge quadratically if they converge. After
-/// `PATIENCE` projections without progress the dry run gives up.
-const CORRECTIONS: usize = 100;
-const PATIENCE: usize = 5;
 /// The residual in m, rad, m/s and rad/s below which a chain counts as closed.
 const CLOSED: f64 = 1e-9;
 
@@ -111,11 +110,9 @@ impl DryRun {
         )
     }
 
-    /// Returns the configuration projected onto the loop constraints, or `None` without
-    /// convergence.
+    /// Returns the configuration projected onto the loop constraints as `assemble` does it, or `None` without convergence.
     pub fn closed(&self, pose: Configuration) -> Option<Configuration> {
         let (v, Configuration { mut q, inputs }) = (self.at_rest(), pose);
-        let (mut nearest, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..CORRECTIONS {
             let context = self.context(&self.merged, &self.values, (&q, &v, &inputs));
             let correction = equations::project(&context, &mut Trace::silent())?;
@@ -123,15 +120,35 @@ impl DryRun {
             if residual < CLOSED {
                 return Some(Configuration { q, inputs });
             }
-            // With NaN the condition is false, which counts as no progress.
-            stalled = if residual < 0.9 * nearest { 0 } else { stalled + 1 };
-            if stalled > PATIENCE {
+            if !residual.is_finite() {
                 return None;
             }
-            nearest = nearest.min(residual);
-            q = equations::displace(&self.chain, &self.merged, &q, &correction.coordinates);
+            let next = equations::displace(&self.chain, &self.merged, &q, &correction.coordinates);
+            q = self.limited(&q, next);
         }
         None
+    }
+
+    /// Returns `to`, or coordinates on the way there so that no hinge rotates by more than [`LARGEST_ROTATION`].
+    fn limited(&self, from: &[Number], to: Vec<Number>) -> Vec<Number> {
+        let change = |k: usize| to[k].value() - from[k].value();
+        let rotations = rotation_coordinates(&self.chain, &self.merged);
+        let changes = rotations.into_iter().flat_map(|rotation| {
+            let RotationCoordinates { coordinates, quaternion } = rotation;
+            coordinates.map(move |k| if quaternion { 2.0 * change(k) } else { change(k) })
+        });
+        let largest = changes.fold(0.0, |largest: f64, change| largest.max(change.abs()));
+        if largest <= LARGEST_ROTATION {
+            return to;
+        }
+        let scale = LARGEST_ROTATION / largest;
+        let nearer = |k: usize| Number::variable(from[k].value() + scale * change(k));
+        let near: Vec<Number> = (0..to.len()).map(nearer).collect();
+        let hinges = self.chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed());
+        let of_hinges = hinges.flat_map(|(id, hinge)| {
+            equations::hinge::normalized(&hinge.kind, &near[self.merged.q[id].clone()])
+        });
+        of_hinges.collect()
     }
 
     /// Returns the start with prescribed motions at rest, or a configuration near it.

@@ -29,6 +29,9 @@ const INDEPENDENT: f64 = 1e-10;
 /// The name of the warning of a closed chain that cannot be closed near its start.
 const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
 
+/// The name of the warning of a closed chain that can be closed near its start, but not from it.
+const SINGULAR_START: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
+
 /// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
@@ -76,10 +79,11 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
-    let poses = dry_run.closed_poses();
-    if poses.is_empty() && whole {
-        dry_run.warn_of_open_loop(diagnostics);
+    let closed = dry_run.closed_poses();
+    if let ([None, ..], true) = (&closed[..], whole) {
+        dry_run.warn_of_open_loop(closed.iter().any(Option::is_some), diagnostics);
     }
+    let poses: Vec<Configuration> = closed.into_iter().flatten().collect();
     let mobility = if whole { dry_run.mobility(&poses) } else { None };
     // A single pose has prescribed motions at zero, which may be a singular position.
     let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
@@ -186,22 +190,33 @@ impl DryRun {
         diagnostics.error(closing.name.span(), message);
     }
 
-    /// Warns of a closed chain for which no closed pose near the start is found. The positions of prescribed motions are
-    /// known at run time only.
-    fn warn_of_open_loop(&self, diagnostics: &mut Diagnostics) {
+    /// Warns of a closed chain for which no closed pose is found from the start, but perhaps `nearby`. The positions of
+    /// prescribed motions are known at run time only.
+    fn warn_of_open_loop(&self, nearby: bool, diagnostics: &mut Diagnostics) {
         let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
         let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
         let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
-        let message = "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
-                       the positions of the ends, or write a `start` of the hinges near a closed pose";
-        diagnostics.warn(closing.name.span(), OPEN_LOOP, message);
+        let (rule, message) = if nearby {
+            (
+                SINGULAR_START,
+                "`assemble` cannot close this chain from its start, where links are in line, but from poses \
+                              next to it: write a `start` of the hinges with the links bent",
+            )
+        } else {
+            (
+                OPEN_LOOP,
+                "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
+                         the positions of the ends, or write a `start` of the hinges near a closed pose",
+            )
+        };
+        diagnostics.warn(closing.name.span(), rule, message);
     }
 
-    /// Returns the start and poses near it, since the start may be a singular pose, all closed;
-    /// none for a chain that is not closed.
-    fn closed_poses(&self) -> Vec<Configuration> {
+    /// Returns closed poses, from the start and from poses near it, since the start may be a singular pose: `None` where
+    /// there is no closed pose nearby. Empty for a chain that is not closed.
+    fn closed_poses(&self) -> Vec<Option<Configuration>> {
         let seeds = if self.merged.loop_hinges.is_empty() { 0..0 } else { 0..STATES };
-        seeds.filter_map(|seed| self.closed(self.pose(&self.values, seed))).collect()
+        seeds.map(|seed| self.closed(self.pose(&self.values, seed))).collect()
     }
 
     /// Returns the mobility in these poses.

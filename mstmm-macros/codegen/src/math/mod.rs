@@ -18,5 +18,5 @@ pub use rotation::{AxisRotation, PlaneFormula, Rotation};
 pub use scalar::Scalar;
 pub use spatial::{Motion, SpatialInertia, Wrench};
 pub use structured::Structured;
-pub use tolerances::{PIVOT_ULPS, RANK_ULPS};
+pub use tolerances::{CORRECTIONS, LARGEST_ROTATION, PIVOT_ULPS, RANK_ULPS};
 pub use vector::Vec3;

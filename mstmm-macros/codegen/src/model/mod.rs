@@ -21,6 +21,7 @@ mod parameter_uses;
 mod repeat_boundaries;
 mod request;
 mod results;
+mod rotations;
 mod rules;
 mod shape;
 #[cfg(test)]
@@ -47,6 +48,7 @@ pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
 pub(crate) use lower::listed;
 pub use request::{ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request};
 pub use results::Results;
+pub use rotations::{RotationCoordinates, rotation_coordinates};
 pub use rules::Check;
 pub use shape::{Geometry, Shape};
 pub use value::{Symbol, Value};

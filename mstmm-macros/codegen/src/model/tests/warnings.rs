@@ -59,6 +59,21 @@ fn a_closed_chain_can_be_closed_near_its_start() {
     assert!(super::says(&warnings[0].1, message), "{warnings:?}");
 }
 
+/// With all bars in line, the linearised constraints hold for no rotation that closes the gap. Next to that pose they do.
+#[test]
+fn a_closed_chain_is_closed_from_its_start_itself() {
+    let loops = |starts: &str| {
+        format!(
+            "chain A {{ {ROD} ground -> pin(z) a -> Rod one -> pin(z) b -> Rod two -> pin(z) c -> Rod three \
+             -> pin(z) d -> ground at [2, 0, 0]; {starts} }}"
+        )
+    };
+    expect_chain(&loops("hinge b { start = 0.1; }"), &[]);
+    let warnings = warnings_in(&loops(""));
+    let message = "`assemble` cannot close this chain from its start, where links are in line, …";
+    assert!(warnings.len() == 1 && super::says(&warnings[0].1, message), "{warnings:?}");
+}
+
 #[test]
 fn an_angle_of_more_than_a_revolution_has_a_unit() {
     // Two hinges share the field: there is one warning.
