@@ -18,13 +18,22 @@ use crate::Scalar;
 pub struct BodyPoint<P: ConnectionPoint> {
     input: P,
     place: P::Vector,
+    /// The axes of the frame there, in the body frame; none for those of the body.
+    axes: Option<P::Axes>,
 }
 
 impl<P: ConnectionPoint> BodyPoint<P> {
-    /// Makes the point at `place`, in m in the body frame, of the body with this input.
+    /// Makes the point at `place`, in m in the body frame, of the body with this input. Its frame has the axes of the body.
     #[inline]
     pub fn new(input: P, place: P::Vector) -> Self {
-        Self { input, place }
+        Self { input, place, axes: None }
+    }
+
+    /// Makes the same point with a frame with these axes: the columns of the rotation matrix that takes components in the frame
+    /// to components in the body frame; in the plane the first column.
+    #[inline]
+    pub fn turned(self, axes: P::Axes) -> Self {
+        Self { axes: Some(axes), ..self }
     }
 }
 
@@ -37,11 +46,21 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         self.input.rotation.map(along)
     }
 
+    /// Returns the rows of the rotation matrix from the frame of the point to the inertial frame.
+    #[inline]
+    fn rotation(&self) -> [[T; 3]; 3] {
+        let along = |[a, b, c]: [T; 3], [x, y, z]: [T; 3]| a.mul_add(x, b.mul_add(y, c * z));
+        match self.axes {
+            Some(columns) => self.input.rotation.map(|row| columns.map(|axis| along(row, axis))),
+            None => self.input.rotation,
+        }
+    }
+
     /// Returns a connection point with the motion of this point, without force and moment. Results that the chain omits
     /// are arbitrary.
     #[inline]
     pub(crate) fn motion(&self) -> Point<T> {
-        let Point { position, rotation, velocity, angular_velocity: omega, z, .. } = self.input;
+        let Point { position, velocity, angular_velocity: omega, z, .. } = self.input;
         let arm = self.arm();
         let angular_acceleration = z.angular_acceleration().into();
         let tangential = cross(angular_acceleration, arm);
@@ -51,7 +70,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         let none = [T::default(); 3];
         Point::new(
             (Vector3::from(position) + Vector3::from(arm)).into(),
-            rotation,
+            self.rotation(),
             (Vector3::from(velocity) + Vector3::from(cross(omega, arm))).into(),
             omega,
             StateVector::new(acceleration.into(), angular_acceleration, none, none),
@@ -67,13 +86,14 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
         Vector3::from(self.motion().position)
     }
 
-    /// Returns the rotation A that takes components in the body frame to inertial components.
+    /// Returns the rotation A that takes components in the frame of the point to inertial components. A centre of mass has the
+    /// axes of the body, a named point those of its `turned …`.
     #[inline]
     pub fn orientation(&self) -> Rotation3<T>
     where
         R: HasPoses,
     {
-        self.input.orientation()
+        self.motion().orientation()
     }
 
     /// Returns the velocity ṙ = ṙ_I + Ω × A r′ in m/s.
@@ -121,18 +141,28 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
     }
 
+    /// Returns cosine and sine of the angle from the inertial frame to the frame of the point.
+    #[inline]
+    fn direction(&self) -> [T; 2] {
+        let [cosine, sine] = self.input.cos_sin;
+        match self.axes {
+            Some([[x, y]]) => [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)],
+            None => [cosine, sine],
+        }
+    }
+
     /// Returns a connection point with the motion of this point, without force and moment. Results that the chain omits
     /// are arbitrary.
     #[inline]
     pub(crate) fn motion(&self) -> PlanePoint<T> {
-        let PlanePoint { position, cos_sin, velocity, angular_velocity: omega, z, .. } = self.input;
+        let PlanePoint { position, velocity, angular_velocity: omega, z, .. } = self.input;
         let (arm, angular_acceleration) = (self.arm(), z.angular_acceleration());
         let tangential = across(arm) * angular_acceleration;
         let acceleration = z.acceleration() + tangential - arm * (omega * omega);
         let none = T::default();
         PlanePoint::new(
             (Vector2::from(position) + arm).into(),
-            cos_sin,
+            self.direction(),
             (Vector2::from(velocity) + across(arm) * omega).into(),
             omega,
             PlaneStateVector::new(acceleration.into(), angular_acceleration, none, [none; 2]),
@@ -148,22 +178,23 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
         Vector2::from(self.motion().position)
     }
 
-    /// Returns the rotation A that takes components in the body frame to inertial components.
+    /// Returns the rotation A that takes components in the frame of the point to inertial components. A centre of mass has the
+    /// axes of the body, a named point those of its `turned …`.
     #[inline]
     pub fn orientation(&self) -> Rotation2<T>
     where
         R: HasPoses,
     {
-        self.input.orientation()
+        self.motion().orientation()
     }
 
-    /// Returns cosine and sine of the counter-clockwise angle from the inertial frame to the body frame.
+    /// Returns cosine and sine of the counter-clockwise angle from the inertial frame to the frame of the point.
     #[inline]
     pub fn cos_sin(&self) -> (T, T)
     where
         R: HasPoses,
     {
-        self.input.cos_sin()
+        self.motion().cos_sin()
     }
 
     /// Returns the velocity ṙ = ṙ_I + Ω × A r′ in m/s.

@@ -24,19 +24,24 @@ pub trait ConnectionPoint {
     type Scalar;
     /// An array of the components of a vector, one per dimension of the chain.
     type Vector;
+    /// The columns of a rotation matrix in space, the first column in the plane, nothing on a line.
+    type Axes;
 }
 
 impl<T, R> ConnectionPoint for Point<T, R> {
     type Scalar = T;
     type Vector = [T; 3];
+    type Axes = [[T; 3]; 3];
 }
 
 impl<T, R> ConnectionPoint for PlanePoint<T, R> {
     type Scalar = T;
     type Vector = [T; 2];
+    type Axes = [[T; 2]; 1];
 }
 
 impl<T, R> ConnectionPoint for LinePoint<T, R> {
     type Scalar = T;
     type Vector = [T; 1];
+    type Axes = [[T; 1]; 0];
 }

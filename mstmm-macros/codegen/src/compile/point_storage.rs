@@ -3,7 +3,7 @@
 use crate::equations::{FramedVector, PointState, Report, SymbolValues};
 use crate::expr::{Edge, Expr, Graph};
 use crate::ids::{BodyId, IdVec, PointId, RepeatId};
-use crate::model::{Body, Chain, ConnectionPoints, Dimension, Element, Results};
+use crate::model::{Body, Chain, ConnectionPoints, Dimension, Element, Results, Value};
 use std::collections::HashMap;
 
 /// A vector in the stored values of all points.
@@ -39,9 +39,17 @@ pub struct StoredPoint {
     /// Velocity, angular velocity, proper acceleration, angular acceleration, moment and force; on a line only those that
     /// exist.
     pub vectors: Vec<StoredFramedVector>,
-    /// At the input of a body: its centre of mass and its named points, in the body frame. None for a point that no
-    /// parameter changes, which the workspace does not store.
-    pub changing: Vec<Option<StoredVector>>,
+    /// At the input of a body: its centre of mass and its named points.
+    pub own: Vec<StoredFrame>,
+}
+
+/// What parameters change of a frame in a body, in the body frame. The workspace does not store the rest.
+#[derive(Clone, Debug, Default)]
+pub struct StoredFrame {
+    /// The position.
+    pub position: Option<StoredVector>,
+    /// The columns of the rotation; in the plane the first.
+    pub axes: Option<Vec<StoredVector>>,
 }
 
 /// The storage of all connection points, in segments of points that belong to the same repeated part, or to none.
@@ -86,7 +94,7 @@ pub(super) fn allocate<'g>(
             reports.iter().map(|report| &report.points[index]).collect();
         let mut stored = allocator.point(&points, chain.dimension, chain.results);
         if let Some(&body) = inputs.get(&index) {
-            stored.changing = allocator.changing(&chain.bodies[body], chain, numbers);
+            stored.own = allocator.own_frames(&chain.bodies[body], chain, numbers);
         }
         storage.points.push(stored);
         if let Some((count, _)) = storage.segments.last_mut() {
@@ -154,23 +162,33 @@ impl<'g> PointAllocator<'g> {
                 false => StoredFramedVector { axes: None, vector: StoredVector::default() },
             };
         let vectors = seen.map(framed).collect();
-        let changing = Vec::new();
-        StoredPoint { start: self.start, position, orientation, vectors, changing }
+        StoredPoint { start: self.start, position, orientation, vectors, own: Vec::new() }
     }
 
-    /// Stores the points of a body that parameters change, if the results include poses.
-    fn changing(
+    /// Stores what parameters change of the frames of a body, if the results include poses.
+    fn own_frames(
         &mut self,
         body: &Body,
         chain: &Chain,
         numbers: &SymbolValues<Expr<'g>>,
-    ) -> Vec<Option<StoredVector>> {
-        let translations = chain.dimension.translations();
-        let all = body.own_points().map(|position| {
-            let changes = translations.iter().any(|&axis| position[axis].changes());
-            let kept = changes && chain.results.poses;
-            let same = vec![numbers.vector(position).0; self.numbers.len()];
-            kept.then(|| self.vector(&same, translations))
+    ) -> Vec<StoredFrame> {
+        let dimension = chain.dimension;
+        let translations = dimension.translations();
+        let all = body.own_frames().map(|(place, rotation)| {
+            if !chain.results.poses {
+                return StoredFrame::default();
+            }
+            let moves = translations.iter().any(|&axis| place[axis].changes());
+            let place = numbers.vector(place).0;
+            let position =
+                moves.then(|| self.vector(&vec![place; self.numbers.len()], translations));
+            let turns = rotation.filter(|rotation| rotation.iter().flatten().any(Value::changes));
+            let axes = turns.and_then(|rotation| {
+                let column = |k: usize| [0, 1, 2].map(|i| numbers.scalar(&rotation[i][k]));
+                let columns = [0, 1, 2].map(column);
+                self.axes(&vec![columns; self.numbers.len()], dimension)
+            });
+            StoredFrame { position, axes }
         });
         all.collect()
     }

@@ -1,12 +1,12 @@
 //! The results at bodies, and their types.
 
 use super::EmitContext;
-use super::arrays::usize_literal;
 use super::const_expr::value_tokens;
 use super::point_access::{self, point_type};
+use crate::compile::StoredVector;
 use crate::ids::PointId;
 use crate::model::{
-    Body, BodyId, Chain, ConnectionPoints, NamedPoint, PresentPoints, Value, listed,
+    Body, BodyId, Chain, ConnectionPoints, Frame, NamedPoint, PresentPoints, Value, listed,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -80,7 +80,6 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
         " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
         body.type_name, cx.chain.name
     );
-    let translations = usize_literal(cx.chain.dimension.translations().len());
     let reports = reported(cx, body);
     let parameters: Vec<&Ident> = reports
         .iter()
@@ -91,35 +90,27 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
         .collect();
     let points = body.points.iter().zip(reports);
     let fields = points.clone().map(|(named, reported)| {
-        let (field, stored) = (
-            field(&named.name),
-            match reported {
-                Reported::Motion => quote!([T; #translations]),
-                Reported::Joined => quote!(#point),
-                Reported::Either(parameter) => quote!(#parameter),
-            },
-        );
+        let field = field(&named.name);
+        let stored = match reported {
+            Reported::Motion => quote!(#mstmm::BodyPoint<#point>),
+            Reported::Joined => quote!(#point),
+            Reported::Either(parameter) => quote!(#parameter),
+        };
         quote!(#field: #stored,)
     });
     let methods = points.map(|(NamedPoint { name, .. }, reported)| {
         let field = field(name);
-        let (what, ty, value) = match reported {
-            Reported::Motion => (
-                "motion of",
-                quote!(#mstmm::BodyPoint<#point>),
-                quote!(#mstmm::BodyPoint::new(self.common_.input(), self.#field)),
-            ),
-            Reported::Joined => ("state at", point.clone(), quote!(self.#field)),
-            Reported::Either(parameter) => {
-                ("state at, or the motion of,", quote!(#parameter), quote!(self.#field))
-            }
+        let (what, ty) = match reported {
+            Reported::Motion => ("motion of", quote!(#mstmm::BodyPoint<#point>)),
+            Reported::Joined => ("state at", point.clone()),
+            Reported::Either(parameter) => ("state at, or the motion of,", quote!(#parameter)),
         };
         let doc = format!(" Returns the {what} the point `{name}`.");
         quote! {
             #[doc = #doc]
             #[inline]
             #visibility fn #name(&self) -> #ty {
-                #value
+                self.#field
             }
         }
     });
@@ -194,30 +185,38 @@ pub fn result(
 ) -> TokenStream {
     let mstmm = &cx.mstmm;
     let body = &cx.chain.bodies[index];
-    let changing = &cx.compiled.point_storage.points[cx.ends(element).input].changing;
-    let mut vectors = body.own_points().zip(changing).map(|(position, stored)| match stored {
-        Some(stored) => {
-            let stored = point_access::literal(stored);
-            quote!(self.vector_(#first, #stored))
-        }
-        None => fixed(cx, position),
+    let stored = &cx.compiled.point_storage.points[cx.ends(element).input].own;
+    let read = |vector: &StoredVector| {
+        let vector = point_access::literal(vector);
+        quote!(self.vector_(#first, #vector))
+    };
+    let mut frames = body.own_frames().zip(stored).map(|((place, rotation), stored)| {
+        let place = stored.position.as_ref().map_or_else(|| fixed(cx, place), read);
+        let axes: Option<Vec<TokenStream>> = match &stored.axes {
+            Some(axes) => Some(axes.iter().map(read).collect()),
+            None => rotation.and_then(|rotation| fixed_axes(cx, rotation)),
+        };
+        (place, axes.map(|axes| quote!(.turned([#(#axes),*]))))
     });
-    let com = vectors.next();
+    let com = frames.next().map(|(place, _)| place);
     let common = quote!(#mstmm::BodyResult::new(input_, output_, #com));
     if body.points.is_empty() {
         return common;
     }
     let reports = reported(cx, body);
-    let points = body.points.iter().zip(reports).enumerate().zip(vectors);
-    let fields = points.map(|((number, (named, reported)), vector)| {
+    let points = body.points.iter().zip(reports).enumerate().zip(frames);
+    let fields = points.map(|((number, (named, reported)), (place, axes))| {
         let value = match (reported, joined(cx, index, number)) {
-            (Reported::Motion, _) => vector,
-            (Reported::Either(_), None) => quote!(#mstmm::BodyPoint::new(input_, #vector)),
-            (_, Some(point)) => {
+            (Reported::Motion | Reported::Either(_), None) => {
+                quote!(#mstmm::BodyPoint::new(input_, #place) #axes)
+            }
+            (Reported::Joined | Reported::Either(_), Some(point)) => {
                 let at = at(point);
                 quote!(self.point_(#at))
             }
-            (Reported::Joined, None) => bug!("a body lacks a point that hinges leave"),
+            (Reported::Motion, Some(_)) | (Reported::Joined, None) => {
+                bug!("the bodies of a type report a point differently")
+            }
         };
         let field = field(&named.name);
         quote!(#field: #value,)
@@ -236,6 +235,16 @@ fn fixed(cx: &EmitContext, position: &[Value; 3]) -> TokenStream {
         }
     });
     quote!([#(#entries),*])
+}
+
+/// Returns the columns of a rotation that no parameter changes; none for the axes of the body.
+fn fixed_axes(cx: &EmitContext, rotation: &[[Value; 3]; 3]) -> Option<Vec<TokenStream>> {
+    let is_identity = *rotation == Frame::identity().rotation;
+    if is_identity || rotation.iter().flatten().any(Value::changes) {
+        return None;
+    }
+    let column = |k: usize| fixed(cx, &[0, 1, 2].map(|i: usize| rotation[i][k].clone()));
+    Some((0..cx.chain.dimension.columns()).map(column).collect())
 }
 
 /// Lists the points whose results a body has.

@@ -57,8 +57,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 /// Returns the method that reads a vector of a body, if parameters change any.
 fn vector(cx: &EmitContext, inline: &TokenStream) -> Option<TokenStream> {
     let mstmm = &cx.mstmm;
-    let mut changing = cx.compiled.point_storage.points.iter().flat_map(|point| &point.changing);
-    changing.any(Option::is_some).then(|| {
+    let mut frames = cx.compiled.point_storage.points.iter().flat_map(|point| &point.own);
+    frames.any(|frame| frame.position.is_some() || frame.axes.is_some()).then(|| {
         let translations = usize_literal(cx.chain.dimension.translations().len());
         let located = located(cx);
         quote! {

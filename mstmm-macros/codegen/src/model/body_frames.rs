@@ -1,7 +1,7 @@
 //! The frames of a body that its kinematics report by name: its output, its centre of mass and its named
 //! points, in the body frame.
 
-use super::{Body, BodyId, Chain, Dimension, Frame, Role, Value};
+use super::{Body, BodyId, Chain, Dimension, Frame, NamedPoint, Role, Value};
 
 /// A frame of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +77,14 @@ impl Chain {
 }
 
 impl Body {
+    /// Returns the positions and rotations of the frames that its results have by name, in the body frame: first the centre of
+    /// mass, whose axes are those of the body.
+    pub fn own_frames(&self) -> impl Iterator<Item = (&[Value; 3], Option<&[[Value; 3]; 3]>)> {
+        let points = self.points.iter().map(|NamedPoint { frame, .. }| frame);
+        let points = points.map(|frame| (&frame.position, Some(&frame.rotation)));
+        std::iter::once((&self.com, None)).chain(points)
+    }
+
     /// Returns the frames of the body.
     pub fn frames(&self) -> impl Iterator<Item = BodyFrame> + use<> {
         let points = (0..self.points.len()).map(BodyFrame::Point);

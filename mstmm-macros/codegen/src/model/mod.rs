@@ -279,14 +279,6 @@ pub struct Body {
     pub role: Role,
 }
 
-impl Body {
-    /// Returns the points of the body that its results have by name, body frame: the centre of mass
-    /// first.
-    pub fn own_points(&self) -> impl Iterator<Item = &[Value; 3]> {
-        std::iter::once(&self.com).chain(self.points.iter().map(|point| &point.frame.position))
-    }
-}
-
 /// A point of a body with a name.
 #[derive(Clone, Debug)]
 pub struct NamedPoint {
