@@ -73,16 +73,14 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         // The loop constraints may hold bodies that have no inertia in some direction.
         dry_run.held_by_closure = true;
     }
-    dry_run.refuse_massless_hinges(diagnostics);
+    let moves_all = dry_run.refuse_massless_hinges(diagnostics);
     let held_by_closure = dry_run.held_by_closure;
     let mut closure_rank = dry_run.closure_rank_at_run_time();
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
     let closed = dry_run.closed_poses();
-    if let ([None, ..], true) = (&closed[..], whole) {
-        dry_run.warn_of_open_loop(closed.iter().any(Option::is_some), diagnostics);
-    }
+    let closes_from_start = !matches!(closed[..], [None, ..]);
     let poses: Vec<Configuration> = closed.into_iter().flatten().collect();
     let mobility = if whole { dry_run.mobility(&poses) } else { None };
     // A single pose has prescribed motions at zero, which may be a singular position.
@@ -94,6 +92,8 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     }
     if let Some(Mobility { dofs: 0, .. }) = mobility {
         dry_run.refuse_rigid_chain(diagnostics);
+    } else if whole && moves_all && !closes_from_start {
+        dry_run.warn_of_open_loop(!poses.is_empty(), diagnostics);
     }
     let mass_ratio = Some(dry_run.mass_ratio());
     let start = Some(dry_run.drawing(poses, &chain.unrolled_springs(most)));
@@ -146,8 +146,8 @@ impl DryRun {
         conditions.all(|condition| condition.must.holds(values.scalar(&condition.value).value()))
     }
 
-    /// Reports hinges that move no inertia.
-    fn refuse_massless_hinges(&self, diagnostics: &mut Diagnostics) {
+    /// Reports hinges that move no inertia. Returns whether there are none.
+    fn refuse_massless_hinges(&self, diagnostics: &mut Diagnostics) -> bool {
         let mut reported: Vec<&Ident> = Vec::new();
         for hinge in self.massless_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
             if !reported.contains(&&hinge.name) {
@@ -155,6 +155,7 @@ impl DryRun {
                 diagnostics.error(hinge.name.span(), self.massless_message(hinge));
             }
         }
+        reported.is_empty()
     }
 
     /// Returns the message for a hinge that moves no inertia.
