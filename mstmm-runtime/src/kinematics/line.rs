@@ -52,10 +52,13 @@ impl<T: Scalar, const N: usize, C> PointKinematics<LineMotion<'_, T>, N, C> {
     }
 }
 
-impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<LineMotion<'_, T>, N, C> {
+impl<T: Scalar, const N: usize, C> PointKinematics<LineMotion<'_, T>, N, C> {
     /// Returns the Jacobian: one row ẋ, one column for each free rate.
     #[inline]
-    pub fn jacobian(&self) -> SMatrix<T, 1, N> {
+    pub fn jacobian(&self) -> SMatrix<T, 1, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut matrix = zeros();
         self.jacobian_into(&mut matrix);
         matrix
@@ -63,13 +66,19 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<LineMotion<'_
 
     /// Writes the [Jacobian](Self::jacobian).
     #[inline]
-    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 1, N>) {
+    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 1, N>)
+    where
+        C: HasJacobian<T>,
+    {
         self.columns.rate_columns().fill(matrix, |column| column);
     }
 
     /// Returns J x, the velocity ẋ that the rates x cause; without the matrix.
     #[inline]
-    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> T {
+    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> T
+    where
+        C: HasJacobian<T>,
+    {
         let [velocity] = self.columns.rate_columns().times(rates);
         velocity
     }
@@ -77,7 +86,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<LineMotion<'_
     /// Returns Jᵀ times a force in N: the efforts along all rates that have the same power. Without the matrix.
     #[doc(alias("external force", "static forces"))]
     #[inline]
-    pub fn jacobian_transpose_times(&self, force: T) -> SVector<T, N> {
+    pub fn jacobian_transpose_times(&self, force: T) -> SVector<T, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut efforts = zeros();
         self.jacobian_transpose_times_into(force, &mut efforts);
         efforts
@@ -85,14 +97,20 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<LineMotion<'_
 
     /// Writes the product that [`jacobian_transpose_times`](Self::jacobian_transpose_times) returns.
     #[inline]
-    pub fn jacobian_transpose_times_into(&self, force: T, efforts: &mut SVector<T, N>) {
+    pub fn jacobian_transpose_times_into(&self, force: T, efforts: &mut SVector<T, N>)
+    where
+        C: HasJacobian<T>,
+    {
         self.columns.rate_columns().transpose_times([force], efforts);
     }
 
     /// Returns the acceleration ẍ in m/s² for given accelerations v̇ of the free rates: J v̇ plus the bias
     /// acceleration.
     #[inline]
-    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> T {
+    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> T
+    where
+        C: HasJacobian<T>,
+    {
         self.jacobian_times(accelerations) + self.bias_acceleration()
     }
 }

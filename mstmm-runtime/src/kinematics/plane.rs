@@ -103,11 +103,14 @@ impl<T: Scalar, const N: usize, C> PointKinematics<PlaneMotion<'_, T>, N, C> {
     }
 }
 
-impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'_, T>, N, C> {
+impl<T: Scalar, const N: usize, C> PointKinematics<PlaneMotion<'_, T>, N, C> {
     /// Returns the Jacobian: rows ẋ, ẏ and Ω_z in the inertial frame; one column for each free rate.
     #[doc(alias("getFrameJacobian", "computeFrameJacobian", "geometric Jacobian"))]
     #[inline]
-    pub fn jacobian(&self) -> SMatrix<T, 3, N> {
+    pub fn jacobian(&self) -> SMatrix<T, 3, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut matrix = zeros();
         self.jacobian_into(&mut matrix);
         matrix
@@ -115,7 +118,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'
 
     /// Writes the [Jacobian](Self::jacobian).
     #[inline]
-    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 3, N>) {
+    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 3, N>)
+    where
+        C: HasJacobian<T>,
+    {
         let [x, y] = self.position_array();
         self.columns.rate_columns().fill(matrix, |[vx, vy, omega]| {
             [omega.mul_neg_add(y, vx), omega.mul_add(x, vy), omega]
@@ -124,7 +130,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'
 
     /// Returns J x, the velocity ẋ, ẏ, then the angular velocity Ω_z, that the rates x cause; without the matrix.
     #[inline]
-    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> Vector3<T> {
+    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> Vector3<T>
+    where
+        C: HasJacobian<T>,
+    {
         let [vx, vy, omega] = self.columns.rate_columns().times(rates);
         let [x, y] = sum([vx, vy], turning(omega, self.position_array()));
         Vector3::from([x, y, omega])
@@ -134,7 +143,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'
     /// that have the same power. Without the matrix.
     #[doc(alias("external force", "static forces"))]
     #[inline]
-    pub fn jacobian_transpose_times(&self, force: Vector2<T>, moment: T) -> SVector<T, N> {
+    pub fn jacobian_transpose_times(&self, force: Vector2<T>, moment: T) -> SVector<T, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut efforts = zeros();
         self.jacobian_transpose_times_into(force, moment, &mut efforts);
         efforts
@@ -147,7 +159,9 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'
         force: Vector2<T>,
         moment: T,
         efforts: &mut SVector<T, N>,
-    ) {
+    ) where
+        C: HasJacobian<T>,
+    {
         let ([x, y], [fx, fy]) = (self.position_array(), force.into());
         let about_origin = y.mul_neg_add(fx, x.mul_add(fy, moment));
         self.columns.rate_columns().transpose_times([fx, fy, about_origin], efforts);
@@ -156,14 +170,20 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<PlaneMotion<'
     /// Returns the acceleration r̈ in m/s² for given accelerations v̇ of the free rates: J v̇ plus the bias
     /// acceleration.
     #[inline]
-    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector2<T> {
+    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector2<T>
+    where
+        C: HasJacobian<T>,
+    {
         let [x, y, _]: [T; 3] = self.jacobian_times(accelerations).into();
         Vector2::from(sum([x, y], self.bias_acceleration().into()))
     }
 
     /// Returns the angular acceleration Ω̇_z in rad/s² for given accelerations v̇ of the free rates.
     #[inline]
-    pub fn angular_acceleration(&self, accelerations: &SVector<T, N>) -> T {
+    pub fn angular_acceleration(&self, accelerations: &SVector<T, N>) -> T
+    where
+        C: HasJacobian<T>,
+    {
         let [_, _, angular]: [T; 3] = self.columns.rate_columns().times(accelerations);
         angular + self.motion.0[9]
     }

@@ -128,7 +128,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     }
 }
 
-impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'_, T>, N, C> {
+impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     /// Returns the Jacobian: rows ṙ, then Ω, both in the inertial frame; one column for each free rate.
     #[doc(alias(
         "getFrameJacobian",
@@ -141,7 +141,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
         "geometric Jacobian"
     ))]
     #[inline]
-    pub fn jacobian(&self) -> SMatrix<T, 6, N> {
+    pub fn jacobian(&self) -> SMatrix<T, 6, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut matrix = zeros();
         self.jacobian_into(&mut matrix);
         matrix
@@ -149,7 +152,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
 
     /// Writes the [Jacobian](Self::jacobian).
     #[inline]
-    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 6, N>) {
+    pub fn jacobian_into(&self, matrix: &mut SMatrix<T, 6, N>)
+    where
+        C: HasJacobian<T>,
+    {
         let [x, y, z] = self.position_array();
         self.columns.rate_columns().fill(matrix, |[vx, vy, vz, wx, wy, wz]| {
             [
@@ -165,7 +171,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
 
     /// Returns J x, the velocity ṙ, then the angular velocity Ω, that the rates x cause; without the matrix.
     #[inline]
-    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> Vector6<T> {
+    pub fn jacobian_times(&self, rates: &SVector<T, N>) -> Vector6<T>
+    where
+        C: HasJacobian<T>,
+    {
         let [vx, vy, vz, wx, wy, wz] = self.columns.rate_columns().times(rates);
         let [x, y, z] = sum([vx, vy, vz], cross([wx, wy, wz], self.position_array()));
         Vector6::from([x, y, z, wx, wy, wz])
@@ -175,7 +184,10 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
     /// that have the same power. Without the matrix.
     #[doc(alias("mj_applyFT", "external force", "static forces"))]
     #[inline]
-    pub fn jacobian_transpose_times(&self, force: Vector3<T>, moment: Vector3<T>) -> SVector<T, N> {
+    pub fn jacobian_transpose_times(&self, force: Vector3<T>, moment: Vector3<T>) -> SVector<T, N>
+    where
+        C: HasJacobian<T>,
+    {
         let mut efforts = zeros();
         self.jacobian_transpose_times_into(force, moment, &mut efforts);
         efforts
@@ -188,7 +200,9 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
         force: Vector3<T>,
         moment: Vector3<T>,
         efforts: &mut SVector<T, N>,
-    ) {
+    ) where
+        C: HasJacobian<T>,
+    {
         let force: [T; 3] = force.into();
         let [mx, my, mz] = sum(moment.into(), cross(self.position_array(), force));
         let [fx, fy, fz] = force;
@@ -198,14 +212,20 @@ impl<T: Scalar, const N: usize, C: HasJacobian<T>> PointKinematics<SpaceMotion<'
     /// Returns the acceleration r̈ in m/s² for given accelerations v̇ of the free rates: J v̇ plus the bias
     /// acceleration.
     #[inline]
-    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T> {
+    pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T>
+    where
+        C: HasJacobian<T>,
+    {
         let [x, y, z, ..]: [T; 6] = self.jacobian_times(accelerations).into();
         Vector3::from(sum([x, y, z], self.bias_acceleration().into()))
     }
 
     /// Returns the angular acceleration Ω̇ in rad/s² for given accelerations v̇ of the free rates.
     #[inline]
-    pub fn angular_acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T> {
+    pub fn angular_acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T>
+    where
+        C: HasJacobian<T>,
+    {
         let [.., x, y, z]: [T; 6] = self.columns.rate_columns().times(accelerations);
         Vector3::from(sum([x, y, z], self.motion.vector::<21>()))
     }

@@ -10,7 +10,7 @@ mstmm_chain! {
     }
 
     plane chain Asked {
-        answers = [bias_efforts, mass_matrix];
+        answers = [bias_efforts, mass_matrix, kinematics];
         body Rod { mass = 1 kg; com = [0.5, 0] m; inertia = 1 kg*m^2 about com; }
         ground -> pin joint -> Rod rod;
     }
@@ -21,6 +21,7 @@ mstmm_chain! {
         answers = inverse_dynamics;
         body Rod { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 1 kg*m^2 about com; }
         ground -> pin a -> Rod one -> pin b -> Rod two -> pin c -> Rod three -> pin d -> ground at [1, 0] m;
+        hinge a, b, c { start = 90 deg; }
     }
 }
 
@@ -60,6 +61,7 @@ fn main() -> Result<(), mstmm::Error> {
     let bias = pendulum.bias_efforts(&state, &inputs)?;
     pendulum.mass_matrix_times(&state, &inputs, &bias)?;
     pendulum.inverse_dynamics(&state, &bias, &inputs)?;
+    pendulum.kinematics(&state, &inputs)?.rod().com().jacobian();
 
     let closed = Closed::<f64>::new();
     let (state, inputs) = (closed.initial_state(), closed.no_inputs());
