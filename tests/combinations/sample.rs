@@ -103,7 +103,7 @@ impl<C: Answers<Scalar = f64> + Clone> Sample<C> {
 
     /// All values of an answer.
     pub fn answer(&self, answer: Answer, given: &[f64]) -> Vec<f64> {
-        let mut result = vec![0.0; answer.len(C::DESCRIPTION, C::DYNAMIC_PARAMETERS)];
+        let mut result = vec![0.0; answer.len(C::DESCRIPTION, C::DYNAMIC_PARAMETER_COUNT)];
         let found =
             self.chain.answer(answer, &self.state, &self.typed_inputs(), given, &mut result);
         found.expect("an answer").expect("a regular chain");
@@ -117,7 +117,7 @@ impl<C: Answers<Scalar = f64> + Clone> Sample<C> {
     /// An answer that is one matrix.
     pub fn matrix_of(&self, answer: Answer, given: &[f64]) -> DMatrix<f64> {
         let values = self.answer(answer, given);
-        let part = answer.part(C::DESCRIPTION, C::DYNAMIC_PARAMETERS, 0).expect("a part");
+        let part = answer.part(C::DESCRIPTION, C::DYNAMIC_PARAMETER_COUNT, 0).expect("a part");
         DMatrix::from_vec(part.rows, values.len() / part.rows.max(1), values)
     }
 
@@ -125,7 +125,7 @@ impl<C: Answers<Scalar = f64> + Clone> Sample<C> {
     pub fn parts_of(&self, answer: Answer, given: &[f64]) -> Vec<DMatrix<f64>> {
         let values = self.answer(answer, given);
         let mut rest = &values[..];
-        let part = |index| answer.part(C::DESCRIPTION, C::DYNAMIC_PARAMETERS, index);
+        let part = |index| answer.part(C::DESCRIPTION, C::DYNAMIC_PARAMETER_COUNT, index);
         let parts = (0..).map_while(part).map(|part| {
             let (values, behind) = rest.split_at(part.len());
             rest = behind;

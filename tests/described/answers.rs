@@ -54,7 +54,7 @@ fn answer<C: Answers<Scalar = f64>>(
     answer: Answer,
     given: &[f64],
 ) -> Option<Result<Vec<f64>, Error>> {
-    let mut result = vec![f64::NAN; answer.len(C::DESCRIPTION, C::DYNAMIC_PARAMETERS)];
+    let mut result = vec![f64::NAN; answer.len(C::DESCRIPTION, C::DYNAMIC_PARAMETER_COUNT)];
     let inputs: Vec<f64> = (0..C::DESCRIPTION.inputs().len()).map(|i| 0.5 + i as f64).collect();
     let inputs = C::inputs_from_slice(&inputs).expect("the number of inputs");
     let computed = chain.answer(answer, &chain.initial_state(), &inputs, given, &mut result)?;

@@ -129,7 +129,7 @@ where
     }
 
     fn dynamic_parameters(&self) -> usize {
-        C::DYNAMIC_PARAMETERS
+        C::DYNAMIC_PARAMETER_COUNT
     }
 
     fn frames(&self, body: usize) -> &'static [&'static str] {

@@ -253,7 +253,7 @@ pub struct BodyFrame {
 ///
 /// /// Prints the mass matrix at the start, column by column, if the chain has it.
 /// fn show<C: Answers<Scalar = f64>>(chain: &C) {
-///     let mut matrix = vec![0.0; Answer::MassMatrix.len(C::DESCRIPTION, C::DYNAMIC_PARAMETERS)];
+///     let mut matrix = vec![0.0; Answer::MassMatrix.len(C::DESCRIPTION, C::DYNAMIC_PARAMETER_COUNT)];
 ///     let (state, inputs) = (chain.initial_state(), chain.no_inputs());
 ///     if let Some(Ok(())) = chain.answer(Answer::MassMatrix, &state, &inputs, &[], &mut matrix) {
 ///         println!("{matrix:?}");
@@ -262,7 +262,7 @@ pub struct BodyFrame {
 /// ```
 pub trait Answers: Described {
     /// The number of dynamic parameters: the columns of the regressor; zero without the answer `regressor`.
-    const DYNAMIC_PARAMETERS: usize = 0;
+    const DYNAMIC_PARAMETER_COUNT: usize = 0;
 
     /// The answers of the chain; for generated code.
     #[doc(hidden)]

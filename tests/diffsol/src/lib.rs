@@ -156,7 +156,7 @@ impl<C: Answers<Scalar = f64> + Clone> Linearized<C> {
     fn linearize(&self, y: &[f64], p: &[f64], t: f64) -> Option<Vec<f64>> {
         let (of, answer) = (C::DESCRIPTION, Answer::Linearize);
         let chain = with_parameters(&self.chain, p.iter().copied()).ok()?;
-        let mut all = vec![0.0; answer.len(of, C::DYNAMIC_PARAMETERS)];
+        let mut all = vec![0.0; answer.len(of, C::DYNAMIC_PARAMETER_COUNT)];
         let state = state(y.iter().copied(), t);
         chain.answer(answer, &state, &chain.no_inputs(), &[], &mut all)?.ok()?;
         // The parts follow each other: v̇, the inverse of the mass matrix, ∂v̇/∂q, ∂v̇/∂v and others.

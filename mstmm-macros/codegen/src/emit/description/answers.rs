@@ -17,7 +17,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         arms.iter().map(|(name, value)| (name, value)).unzip();
     let columns = cx.chain.requests.contains(&Request::Regressor).then(|| {
         let columns = usize_literal(layouts::dynamic_parameters(cx.chain).total);
-        quote!(const DYNAMIC_PARAMETERS: ::core::primitive::usize = #columns;)
+        quote!(const DYNAMIC_PARAMETER_COUNT: ::core::primitive::usize = #columns;)
     });
     let frames = cx.chain.physical_bodies().map(|id| {
         let names = frames(&cx.chain.bodies[id]).into_iter().map(|(name, _)| name);
