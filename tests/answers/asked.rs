@@ -12,6 +12,8 @@ pub struct Direction<T> {
 pub trait Asked: Sample {
     /// Returns the efforts of the motors in the order of the rates.
     fn efforts(inputs: &Self::Inputs) -> Vec<Self::Scalar>;
+    /// Sets the efforts of the motors.
+    fn set_efforts(inputs: &mut Self::Inputs, efforts: &[Self::Scalar]);
 
     fn forward(&self, state: &Self::State, inputs: &Self::Inputs) -> Vec<Self::Scalar>;
     fn inverse(
@@ -53,6 +55,10 @@ macro_rules! asked {
         impl<T: mstmm::Scalar> $crate::answers::asked::Asked for $name<T> {
             fn efforts($inputs: &Self::Inputs) -> Vec<T> {
                 $efforts
+            }
+
+            fn set_efforts(inputs: &mut Self::Inputs, efforts: &[T]) {
+                inputs.set_efforts(&mstmm::nalgebra::SVector::from_column_slice(efforts));
             }
 
             fn forward(&self, state: &Self::State, inputs: &Self::Inputs) -> Vec<T> {

@@ -69,6 +69,22 @@ impl<C: Asked<Scalar: Lanes>> Tried<C> {
         self.check("gravity", (&gravity, &chain.gravity(&rest, inputs)), scale, 0.0);
     }
 
+    /// Sets the motors and nothing else. All of them are random numbers before.
+    fn motors(&self)
+    where
+        C::Inputs: PartialEq + std::fmt::Debug + Clone,
+    {
+        let before = C::efforts(&self.case.inputs);
+        let is_motor = |effort: &C::Scalar| plain(&[*effort])[0] != 0.0;
+        let zero = C::Scalar::default();
+        let wanted = self.x.iter().zip(&before).map(|(&x, it)| if is_motor(it) { x } else { zero });
+        let mut inputs = self.case.inputs.clone();
+        C::set_efforts(&mut inputs, &self.x);
+        assert_eq!(plain(&C::efforts(&inputs)), plain(&wanted.collect::<Vec<_>>()));
+        C::set_efforts(&mut inputs, &before);
+        assert_eq!(inputs, self.case.inputs);
+    }
+
     fn products(&self) {
         let Case { chain, state, inputs, .. } = &self.case;
         let (x, y) = (&self.x, &self.y);
@@ -106,7 +122,11 @@ impl<C: Asked<Scalar: Lanes>> Tried<C> {
     }
 }
 
-fn check<C: Asked<Scalar: Lanes + Scalar<Real = <C as mstmm::Chain>::Scalar>>>() {
+fn check<C>()
+where
+    C: Asked<Scalar: Lanes + Scalar<Real = <C as mstmm::Chain>::Scalar>>,
+    C::Inputs: PartialEq + std::fmt::Debug + Clone,
+{
     for seed in 0..SEEDS {
         let case = each::<C>(seed, 1, 0.01).swap_remove(0);
         let mut random = Random::new(1_000_000 + seed);
@@ -115,6 +135,7 @@ fn check<C: Asked<Scalar: Lanes + Scalar<Real = <C as mstmm::Chain>::Scalar>>>()
             .map(|()| (0..count).map(|_| C::Scalar::constant(random.between(-1.0, 1.0))).collect());
         let tried = Tried { seed, case, x, y };
         tried.efforts();
+        tried.motors();
         tried.products();
         tried.forward();
     }

@@ -25,6 +25,7 @@ mod kinematics_bodies;
 mod loop_inputs;
 mod loops;
 mod methods;
+mod motor_inputs;
 mod names;
 mod orders;
 mod parameters;
@@ -100,6 +101,7 @@ pub fn expand(
     let methods = methods::emit(&cx);
     let state = state::emit(&cx);
     let inputs = inputs::emit(&cx);
+    let motor_inputs = motor_inputs::emit(&cx);
     let workspace = workspace::emit(&cx);
     let kinematics = kinematics::emit(&cx);
     let variation = variation::emit(&cx);
@@ -111,6 +113,7 @@ pub fn expand(
         #methods
         #state
         #inputs
+        #motor_inputs
         #workspace
         #kinematics
         #variation
