@@ -24,6 +24,24 @@ mstmm_chain! {
         hinge g { stiffness = 2; armature = 0.3; }
     }
 
+    /// The same linkage with a closing pin about another axis, on turned ground.
+    chain Oblique {
+        answers = [jacobian, inverse_dynamics, mass_matrix];
+        gravity = [0.3, -9.8, 1] m/s^2;
+        body Crank {
+            mass = 1 kg; com = [0.1, 0.02, 0] m; output = [0.2, 0, 0] m;
+            inertia = diag(0.1, 0.12, 0.09) kg*m^2 about com;
+        }
+        body Rod {
+            mass = 2 kg; com = [0.3, 0, 0.01] m; output = [0.6, 0, 0] m;
+            inertia = diag(0.1, 0.12, 0.09) kg*m^2 about com;
+        }
+        ground -> pin(z) a -> Crank b -> ball c -> Rod d -> universal(y, z) e -> Rod f -> pin([1, 2, 5]) g
+               -> ground at [0.7, 0, 0] m turned rpy(20, -10, 0) deg;
+        hinge a { torque = input; start = 70 deg; start_rate = 1 rad/s; }
+        hinge e { start = [0, -110] deg; damping = 0.1; }
+    }
+
     /// A ring of repeated parts.
     plane chain Ring {
         answers = jacobian;
@@ -78,6 +96,68 @@ fn the_tangent_space_has_the_dynamics_of_the_closed_chain() -> Result<(), Error>
     // Condition numbers of the constraints below 100, a hundred roundings.
     let off = (found - expected).norm() / expected.norm();
     assert!(off < 100.0 * 100.0 * f64::EPSILON, "{off:e}");
+    Ok(())
+}
+
+/// The multipliers of the constraints are the wrench in the closing hinge, in the axes of its outboard frame, in motion.
+#[test]
+fn multipliers_are_the_wrench_in_the_closing_hinge() -> Result<(), Error> {
+    macro_rules! check {
+        ($chain:ident) => {{
+            let chain = $chain::<f64>::new();
+            let (mut state, mut inputs) = (chain.initial_state(), chain.no_inputs());
+            chain.assemble(&mut state, &inputs)?;
+            // Rounding of positions of a metre and velocities of a metre per second, several times.
+            assert!(chain.closure_error(&state, &inputs)? < 100.0 * f64::EPSILON);
+            inputs.a = 3.0;
+            let mut at = chain.workspace();
+            chain.solve_into(&state, &inputs, &mut at)?;
+            let jacobian = chain.closure_jacobian(&state, &inputs)?;
+            let mut unbalanced = chain.inverse_dynamics(&state, at.accelerations(), &inputs)?;
+            unbalanced[0] -= inputs.a;
+            let gram: SMatrix<f64, 6, 6> = jacobian * jacobian.transpose();
+            let right: SMatrix<f64, 6, 1> = jacobian * unbalanced;
+            let multipliers = solve_positive_definite(&gram, &right)?;
+            let rest = (jacobian.transpose() * multipliers - unbalanced).norm();
+            let output = at.g().output();
+            let to_axes = output.orientation().inverse();
+            let (force, moment) = (-(to_axes * output.force()), to_axes * output.moment());
+            let wrench = SVector::from([force.x, force.y, force.z, moment.x, moment.y, moment.z]);
+            let scale = wrench.norm();
+            // The condition of G Gᵀ is below 1e5, a hundred roundings.
+            assert!(rest / scale < 1e-9, "{rest:e}");
+            let off = (multipliers.column(0) - wrench).norm() / scale;
+            assert!(off < 1e-9, "{} and {wrench}: {off:e}", multipliers);
+        }};
+    }
+    check!(Linkage);
+    check!(Oblique);
+    Ok(())
+}
+
+/// The gap of a chain that is opened by hand is the distance of its ends.
+#[test]
+fn a_chain_that_is_open_has_a_gap() -> Result<(), Error> {
+    let chain = Ring::<f64>::new();
+    let (mut state, inputs) = (chain.initial_state(), chain.no_inputs());
+    chain.assemble(&mut state, &inputs)?;
+    assert!(chain.closure_error(&state, &inputs)? < 1e-14);
+    state.v.fill(0.0);
+    let closed = state.clone();
+    let small = 1e-4;
+    state.q[0] += small;
+    let (opened, untouched) = (chain.closure_error(&state, &inputs)?, state.clone());
+    // The end turns by this angle, but the closing pin does not, and moves about the first pin at a distance of √(0.5² + 0.2²).
+    let expected = small * (1.0 + 0.5_f64.powi(2) + 0.2_f64.powi(2)).sqrt();
+    assert!((opened / expected - 1.0).abs() < small, "{opened:e} and {expected:e}");
+    assert_eq!(state, untouched);
+    let mut moving = closed;
+    moving.v[0] = small;
+    let gap = chain.closure_error(&moving, &inputs)?;
+    assert!((gap / expected - 1.0).abs() < small, "{gap:e} and {expected:e}");
+    state.q[0] = f64::NAN;
+    let error = Error::NotFinite(mstmm::description::Origin::Coordinate(0));
+    assert_eq!(chain.closure_error(&state, &inputs), Err(error));
     Ok(())
 }
 

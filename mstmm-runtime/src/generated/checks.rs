@@ -158,7 +158,7 @@ fn is_finite_slice<T: Scalar>(values: &[T]) -> bool {
 /// Returns the error for results that are not finite: the value of the state or of the inputs that caused it.
 #[cold]
 #[inline(never)]
-fn not_finite<C: Described>(state: &C::State, inputs: &C::Inputs) -> Error {
+pub(super) fn not_finite<C: Described>(state: &C::State, inputs: &C::Inputs) -> Error {
     Error::NotFinite(C::not_finite(state, inputs).unwrap_or(Origin::Result))
 }
 

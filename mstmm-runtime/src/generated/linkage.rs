@@ -1,5 +1,7 @@
 //! Assembly of closed chains, and the rank of their loop constraints.
 
+use super::checks::not_finite;
+use crate::description::Described;
 use crate::{ChainState, Error, LoopClosure, Mask, Scalar};
 
 /// Returns the results of a loop closure from its undetermined wrenches, which are zero for independent directions.
@@ -62,6 +64,22 @@ pub fn assemble<S: ChainState>(
     }
     *state = start;
     Err(Error::NotAssembled)
+}
+
+/// Returns the distance from a closed chain, the first entry of its residual.
+///
+/// # Errors
+/// [`Error::NotFinite`] if it is not finite.
+#[inline]
+pub fn closure_error<C: Described>(
+    state: &C::State,
+    inputs: &C::Inputs,
+    [distance, _]: [C::Scalar; 2],
+) -> Result<C::Scalar, Error> {
+    match distance.is_finite().all() {
+        true => Ok(distance),
+        false => Err(not_finite::<C>(state, inputs)),
+    }
 }
 
 /// Corrects the derivatives of a state whose values are closed, and leaves the values unchanged.

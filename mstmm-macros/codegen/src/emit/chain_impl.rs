@@ -164,6 +164,26 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                     })
                 }
 
+                /// Returns how far the chain is from being closed: the norm of the displacement, the rotation and the
+                /// velocities across the closing hinge, in m, rad, m/s and rad/s. It is near the machine epsilon after
+                /// `assemble` and after steps. Other functions take the state as it is.
+                ///
+                /// # Errors
+                ///
+                /// `Error::NotFinite` if the state or the inputs are not finite.
+                #(#[doc = #errors])*
+                #[doc(alias("constraint violation", "constraint residual", "efc_pos"))]
+                #[allow(dead_code)]
+                #visibility fn closure_error(
+                    &self,
+                    state_: &#state<T>,
+                    inputs_: &#inputs<T>,
+                ) -> ::core::result::Result<T, #mstmm::Error> {
+                    #checked
+                    let residual_ = self.correct(&mut state_.clone(), inputs_);
+                    #mstmm::generated::closure_error::<Self>(state_, inputs_, residual_)
+                }
+
                 /// The coordinates that are rotations.
                 const ROTATIONS_: &'static [#mstmm::generated::RotationCoordinates] = #rotations;
 

@@ -56,8 +56,8 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
     })
 }
 
-/// Returns the velocity across the open loop hinge at rates `x`, linear and angular, in the axes of its inboard
-/// side: the product of the constraint Jacobian `G` of a closed chain with a vector. Rates that keep the
+/// Returns the velocity across the open loop hinge at rates `x`, linear and angular, in the axes of its outboard
+/// frame: the product of the constraint Jacobian `G` of a closed chain with a vector. Rates that keep the
 /// chain closed have `G x = 0`, if moving ends and prescribed motions rest.
 pub fn closure_jacobian_times<S: Scalar>(context: &EvalContext<S>, x: &[S]) -> Option<Motion<S>> {
     let direction = Direction {
@@ -72,8 +72,12 @@ pub fn closure_jacobian_times<S: Scalar>(context: &EvalContext<S>, x: &[S]) -> O
     let links = kinematics(&along, Axes::Body, &mut Trace::silent());
     let loop_hinge = loop_hinge(&along, Axes::Body, &links)?;
     let error = velocity_error(&links, &loop_hinge, &poses(&along, &links));
-    let [linear, angular] =
-        [error.linear, error.angular].map(|vector| Vec3(vector.0.map(|entry| -entry.derivative())));
+    let alignment = along.chain.hinges[loop_hinge.hinge.id].kind.law().alignment(along.values);
+    let to_outboard = alignment * loop_hinge.hinge.child_to_work.matrix().transposed();
+    let [linear, angular] = [error.linear, error.angular].map(|vector| {
+        let outboard = to_outboard * vector;
+        Vec3(outboard.0.map(|entry| -entry.derivative()))
+    });
     Some(Motion { linear, angular })
 }
 

@@ -46,15 +46,16 @@ pub(super) fn matrix(cx: &EmitContext) -> TokenStream {
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let times = column_products::name(Answer::ClosureJacobianTimes);
     quote! {
-        #[doc(alias("constraint Jacobian", "getConstraintJacobian", "efc_J", "loop closure"))]
+        #[doc(alias("constraint Jacobian", "getConstraintJacobian", "efc_J", "loop closure", "KKT", "Lagrange multiplier"))]
         /// Computes the constraint Jacobian `G` of the closed chain: `G v` is the velocity of the outboard side of the
         /// closing hinge relative to its inboard side, if the hinge is opened, less that of the hinge itself. It has one
-        /// row for each direction, linear then angular, in axes of the hinge, and one column for each rate, in the order
-        /// of `v` of the state.
+        /// row for each direction, linear then angular, in the axes of the outboard frame of the hinge, and one column for
+        /// each rate, in the order of `v` of the state.
         ///
-        /// Rates that keep the chain closed have `G v = 0`, if moving ends and prescribed motions rest. The closed chain
-        /// moves as `M v̇ + bias = τ + Gᵀ λ`, with `M` and `bias` of the open chain. A basis of its rates follows by
-        /// `linear::null_space`.
+        /// Rates that keep the chain closed have `G v = 0`, if moving ends and prescribed motions rest. A basis of them
+        /// follows by `linear::null_space`. Accelerations that keep it closed are those of `accelerations` plus any
+        /// combination of this basis. The closed chain moves as `M v̇ + bias = τ + Gᵀ λ`, with `M` and `bias` of the open
+        /// chain (the KKT conditions). `λ` is minus the force and the moment at the output of the closing hinge.
         #(#[doc = #near_one])*
         ///
         /// # Errors
