@@ -7,6 +7,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[doc = include_str!("frames.md")]
+#[doc(alias("IMU", "accelerometer", "gyroscope", "specific force"))]
 pub mod frames {}
 
 #[doc = include_str!("terms.md")]
@@ -24,6 +25,7 @@ pub mod frames {}
     "CalcBiasCenterOfMassTranslationalAcceleration"
 ))]
 #[doc(alias("dccrba", "computeCentroidalMapTimeVariation"))]
+#[doc(alias("computeCentroidalMomentumTimeVariation", "efc_pos"))]
 #[doc(alias("DH", "Denavit-Hartenberg", "DH parameters", "DH table", "modified DH", "Craig"))]
 #[doc(alias(
     "TSDA",

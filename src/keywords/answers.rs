@@ -80,11 +80,11 @@ pub enum derivatives {}
 /// | `inverse_solve_into(&state, &accelerations, &inputs, &mut workspace)` | all results of a workspace for the given accelerations, also force and moment at every connection point; not for closed chains |
 ///
 /// The inputs are read for gravity, loads, moving ends and prescribed motions; the efforts of motors in
-/// them are not read. In a chain without springs, dampers, friction, limits, loads, moving ends and
+/// them are not read. `inputs.set_efforts(&efforts)` sets the efforts of all motors and leaves the other inputs as they are. In a chain without springs, dampers, friction, limits, loads, moving ends and
 /// prescribed motions, `bias_efforts` less `gravity_efforts` are the Coriolis and centrifugal efforts C(q, v) v; the matrix C is the
 /// answer [`coriolis_matrix`](crate::mstmm_chain#coriolis_matrix).
 ///
-/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `computeGeneralizedGravity`, `computeStaticTorque`, `mj_inverse`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`, `rnea`.
+/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `MakeActuationMatrix`, `computeGeneralizedGravity`, `computeStaticTorque`, `ctrl`, `mj_inverse`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`, `rnea`, `underactuated`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcBiasTerm")]
@@ -92,11 +92,14 @@ pub enum derivatives {}
 #[doc(alias = "CalcGravityGeneralizedForces")]
 #[doc(alias = "CalcInverseDynamics")]
 #[doc(alias = "Coriolis force")]
+#[doc(alias = "MakeActuationMatrix")]
+#[doc(alias = "actuation matrix")]
 #[doc(alias = "bias force")]
 #[doc(alias = "centrifugal force")]
 #[doc(alias = "computeGeneralizedGravity")]
 #[doc(alias = "computeStaticTorque")]
 #[doc(alias = "computed torque")]
+#[doc(alias = "ctrl")]
 #[doc(alias = "feed-forward torque")]
 #[doc(alias = "gravity compensation")]
 #[doc(alias = "gravity vector")]
@@ -110,6 +113,8 @@ pub enum derivatives {}
 #[doc(alias = "qfrc_passive")]
 #[doc(alias = "recursive Newton-Euler algorithm")]
 #[doc(alias = "rnea")]
+#[doc(alias = "selection matrix")]
+#[doc(alias = "underactuated")]
 pub enum inverse_dynamics {}
 
 /// `answers = jacobian;`: the Jacobian of any point of any body, and its products, in addition to `kinematics`.
@@ -130,7 +135,7 @@ pub enum inverse_dynamics {}
 /// | `foot_jacobian(&state, &inputs, &place)`, for each body `foot` at a free end | J of the point at `place`, a vector in m from the input of the body in the body frame, such as a tool. It is computed without the kinematics of other bodies: for the Panda it costs a third of `kinematics` with `jacobian()`. Not with `repeat`, not for closed chains |
 /// | `inverse_operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | J M⁻¹ Jᵀ for a point of the kinematics, with the rows of J |
 /// | `operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | Λ = (J M⁻¹ Jᵀ)⁻¹. `Error::SingularMatrix` if the point cannot move in every direction, as that of an arm with fewer than six joints. The inertia against a force only is the inverse of the upper left block of J M⁻¹ Jᵀ, by [`linear::solve_positive_definite`](crate::linear::solve_positive_definite) |
-/// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G: rates v with G v = 0 keep the chain closed if moving ends and prescribed motions are at rest, and [`linear::null_space`](crate::linear::null_space) is a basis of them |
+/// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G, in axes of the outboard frame of the closing hinge: rates v with G v = 0 keep the chain closed if moving ends and prescribed motions are at rest, and [`linear::null_space`](crate::linear::null_space) is a basis of them |
 ///
 /// Other tools and textbooks: `CalcJacobianAngularVelocity`, `CalcJacobianSpatialVelocity`, `CalcJacobianTranslationalVelocity`, `LOCAL_WORLD_ALIGNED`, `computeDelassusMatrix`, `computeFrameJacobian`, `efc_AR`, `efc_J`, `getConstraintJacobian`, `getFrameJacobian`, `mj_jac`, `mj_jacBody`, `mj_jacPointAxis`, `mj_jacSite`.
 ///
@@ -140,10 +145,13 @@ pub enum inverse_dynamics {}
 #[doc(alias = "CalcJacobianTranslationalVelocity")]
 #[doc(alias = "Delassus matrix")]
 #[doc(alias = "Jacobian transpose")]
+#[doc(alias = "KKT conditions")]
 #[doc(alias = "LOCAL_WORLD_ALIGNED")]
+#[doc(alias = "Lagrange multipliers")]
 #[doc(alias = "computeDelassusMatrix")]
 #[doc(alias = "computeFrameJacobian")]
 #[doc(alias = "constraint Jacobian")]
+#[doc(alias = "contact Jacobian")]
 #[doc(alias = "efc_AR")]
 #[doc(alias = "efc_J")]
 #[doc(alias = "effective mass")]

@@ -142,6 +142,11 @@ impl<T: Scalar, const N: usize, const U: usize> Sensitivity<T, N, U> {
 #[doc(alias(
     "discrete-time model",
     "c2d",
+    "EKF",
+    "extended Kalman filter",
+    "MPC",
+    "iLQR",
+    "DDP",
     "transition matrix",
     "zero-order hold",
     "mjd_transitionFD"
