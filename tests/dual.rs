@@ -5,6 +5,7 @@
 mod double_double;
 
 mod dual {
+    mod algebra;
     mod closed;
 }
 

@@ -1,5 +1,7 @@
 //! Dual numbers: values that carry exact derivatives.
 
+mod algebra;
+
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::{Mask, Scalar};
@@ -12,6 +14,10 @@ use crate::{Mask, Scalar};
 /// [`Scalar::sum`] of lanes. `K` directions in one pass cost less than `K` passes, because the values are shared.
 ///
 /// `T` is `f64`, `f32`, lanes, or a dual number: `Dual<Dual<f64>>` has second derivatives.
+///
+/// Vectors, rotations and matrices of dual numbers have the sums and products of `nalgebra`. Operators also take a number
+/// `T` on the right, and `f64` or `f32` on the left. Functions that `nalgebra` has for real fields only, such as norms, are not
+/// there: the norm is `v.dot(&v).sqrt()`. Compare values: `x.value > 0.0`.
 ///
 /// # Example
 ///
