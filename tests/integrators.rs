@@ -252,6 +252,42 @@ fn energy_goes_where_it_should() {
     assert!(swing < 1.2 * 0.5 * h, "{swing}");
 }
 
+mstmm::mstmm_chain! {
+    /// A double pendulum without friction, whose accelerations depend on its rates.
+    plane chain Pendulums {
+        gravity = [0, -9.81] m/s^2;
+        body Rod { mass = 1 kg; com = [0.5, 0] m; output = [1, 0] m; inertia = 1/12 kg*m^2 about com; }
+        ground -> pin upper -> Rod first -> pin lower -> Rod second;
+        hinge upper { start = -50 deg; }
+    }
+}
+
+/// Both Euler methods take what depends on rates at the start of a step. Within a hundred seconds the energy changes by more
+/// than the largest energy of motion. The other methods keep it.
+#[test]
+fn euler_methods_change_the_energy_of_a_double_pendulum() {
+    let chain = Pendulums::<f64>::new();
+    macro_rules! change {
+        ($method:expr) => {{
+            let (mut state, mut method) = (chain.initial_state(), $method);
+            let before = chain.energy(&state).total();
+            let mut largest = 0.0_f64;
+            for _ in 0..10_000 {
+                method.step(&chain, &mut state, |_, _| chain.no_inputs()).expect("a step");
+                largest = largest.max((chain.energy(&state).total() - before).abs());
+            }
+            largest
+        }};
+    }
+    let euler = [change!(SemiImplicitEuler::new(0.01)), change!(LinearlyImplicitEuler::new(0.01))];
+    let others = [change!(Rk4::new(0.01)), change!(Newmark::new(0.01))];
+    println!("changes in J: {euler:.2?}, {others:?}");
+    // The height of both centres of mass above the lowest pose, times the weight.
+    let motion = 9.81 * (0.5 + 1.5) * (1.0 - 40.0_f64.to_radians().cos());
+    assert!(euler.iter().all(|&change| change > motion), "{euler:?}");
+    assert!(others.iter().all(|&change| change < 1e-2), "{others:?}");
+}
+
 macro_rules! stiff {
     ($name:ident [$($elbow:tt)*] { $($fields:tt)* }) => {
         mstmm_chain! { chain $name {

@@ -10,7 +10,7 @@ use crate::{Chain, ChainState, Error};
 ///
 /// v ← v + h v̇(q, v, t), then q ← q + h q̇(q, v) with the new v, then [`Chain::normalize`]. If v̇ depends only on
 /// coordinates and q̇ = v, the energy does not drift but varies in proportion to the step. Velocity-dependent terms
-/// destroy this property; see [the section on spinning bodies](super).
+/// destroy this property, also those of chains of several hinges; see [the comparison of methods](super).
 ///
 /// The method is stable for steps up to 2/ω, where ω is the highest angular frequency, and up to 2 m/c for a damper.
 ///
