@@ -7,6 +7,7 @@ use super::cursor::Cursor;
 use super::lookahead::SETTINGS;
 use super::path::begins_with_path;
 use super::route_tree::{ChainSyntax, ContentSyntax, DimensionKeyword, ParameterSyntax};
+use super::tree::FieldSyntax;
 use super::{attribute, content, field, lookahead, number, other_programs, part, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
@@ -226,6 +227,12 @@ fn setting(input: &mut Cursor) -> Option<Ident> {
 
 fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<ParameterSyntax> {
     let name = input.ident().ok_or_else(|| input.unexpected("the parameter's name"))?;
+    if input.peek_punct(';') {
+        let message = format!("a parameter needs a default with its unit: `param {name} = 1 kg;`");
+        diagnostics.error(name.span(), message);
+        input.punct(';');
+        return Ok(ParameterSyntax { field: FieldSyntax { name, value: None }, repetitions: None });
+    }
     let mut after = *input;
     let repetitions = match input.group(Delimiter::Bracket) {
         // Other brackets are an error.

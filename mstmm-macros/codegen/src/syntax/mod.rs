@@ -29,6 +29,7 @@ mod value;
 
 pub use lookahead::SETTINGS;
 pub use number::{FORMS, FUNCTIONS};
+pub use other_programs::field as missing_field;
 pub use passthrough::{KeywordGroup, KeywordUses, PartInstance, Passthrough, References};
 pub use route_tree::*;
 pub use shape::SHAPES;

@@ -37,6 +37,19 @@ const LOOPS: &str = "a closed chain is a first route that ends as it began, `gro
 /// The message for a motor.
 const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge";
 
+/// The message for a coupling of two hinges.
+const GEARS: &str = "a chain has no gears and mimic joints between two hinges: give both motors whose efforts hold the ratio; \
+                     the rotor of a motor behind a gear is the `armature` of its hinge";
+
+/// Fields of hinges that a chain does not have, each with its message.
+const FIELDS: &[(&str, &str)] = &[
+    ("mimic", GEARS),
+    ("gear", GEARS),
+    ("gear_ratio", GEARS),
+    ("ratio", GEARS),
+    ("coupling", GEARS),
+];
+
 /// Words for a point of a body.
 pub(super) const POINTS: &[&str] = &["site", "frame", "marker"];
 
@@ -46,6 +59,11 @@ pub(super) const TURNED: &[&str] = &["rotated", "rotate", "rotation", "oriented"
 /// Returns the keyword of the language for one of another program.
 pub(super) fn keyword(word: &Ident) -> Option<&'static str> {
     KEYWORDS.iter().find(|(other, _)| word == other).map(|&(_, keyword)| keyword)
+}
+
+/// Returns the message for a field of a hinge that a chain does not have.
+pub fn field(word: &str) -> Option<&'static str> {
+    FIELDS.iter().find(|(other, _)| word == *other).map(|&(_, message)| message)
 }
 
 /// Returns the message for an item that a chain does not have.

@@ -4,7 +4,7 @@ use super::context::Context;
 use super::dimension::{INERTIA, LENGTH, MASS, Quantity, STIFFNESS};
 use super::unit;
 use crate::diag::nearest;
-use crate::syntax::{ExprKind, ExprSyntax, FieldSyntax, PathSyntax, ValueSyntax};
+use crate::syntax::{ExprKind, ExprSyntax, FieldSyntax, PathSyntax, ValueSyntax, missing_field};
 use proc_macro2::Ident;
 
 /// Fields by name, each known and given once.
@@ -59,6 +59,9 @@ impl<'a> Fields<'a> {
         let FieldOwner { name: owner, path, part } = owner;
         let name = field.name.to_string();
         if !allowed.contains(&name.as_str()) {
+            if let (Some(message), true) = (missing_field(&name), allowed.contains(&"armature")) {
+                return Some(message.to_owned());
+            }
             let hint = match meant(&name, allowed) {
                 Some(meant) => format!("; did you mean `{meant}`?"),
                 None if allowed.is_empty() => String::new(),

@@ -85,6 +85,8 @@ fn a_parameter_without_a_default_is_not_judged() {
     expect_parameter(" = 1 furlong", &[("furlong", "unknown unit `furlong`")]);
     expect_parameter(" = 1e999", &[("1e999", "this is not a finite number")]);
     expect_parameter(" 1", &[("1", "expected `=`, found `1`")]);
+    let default = "a parameter needs a default with its unit: `param p = 1 kg;`";
+    expect_parameter("", &[("p", default)]);
     expect_parameter(
         " = 0",
         &[("p", "a mass must be positive; with its parameters' defaults it is 0 kg")],

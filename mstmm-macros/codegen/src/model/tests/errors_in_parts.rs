@@ -233,6 +233,11 @@ fn fields_are_known_by_other_names() {
         let field = format!("{name} = 30 deg;");
         expect("start = 30 deg;", &field, &[(name, &hint(name, meant))]);
     }
+    let gears = "a chain has no gears and mimic joints between two hinges: give both motors whose efforts hold the \
+                 ratio; the rotor of a motor behind a gear is the `armature` of its hinge";
+    for name in ["mimic", "gear_ratio"] {
+        expect("start = 30 deg;", &format!("{name} = 2;"), &[(name, gears)]);
+    }
     expect(
         "com = [0.5, 0, 0] m;\n            inertia",
         "centre = [0.5, 0, 0] m; inertia",
