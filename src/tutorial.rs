@@ -54,6 +54,20 @@ pub mod equilibrium {
     #![doc = include_str!("tutorial/equilibrium.md")]
 }
 
+pub mod several_loops {
+    #![doc(alias(
+        "parallel robot",
+        "delta robot",
+        "Stewart platform",
+        "hexapod",
+        "KKT",
+        "Lagrange multiplier",
+        "closed loops",
+        "loop constraint"
+    ))]
+    #![doc = include_str!("tutorial/several_loops.md")]
+}
+
 pub mod balance {
     #![doc(alias(
         "LQR",

@@ -32,7 +32,8 @@ const ITEMS: &[(&str, &str)] = &[
 
 /// The message for a loop between two bodies.
 const LOOPS: &str = "a closed chain is a first route that ends as it began, `ground -> … -> ground at \
-                     […]`; for a loop between two bodies write a `spring` that is stiff and damped";
+                     […]`; for a loop between two bodies write a `spring` that is stiff and damped, or constraints as \
+                     in `mstmm::tutorial::several_loops`";
 
 /// The message for a motor.
 const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge";

@@ -113,8 +113,8 @@ fn passed_twice<'a>(name: ItemName, context: &mut Context) -> RouteItem<'a> {
     let message = format!(
         "`{name}` is on a route already, and a loop can close only at the ground or at a moving \
          end: end the route before this hinge, and hold the two bodies together by a `spring` that \
-         is stiff and damped; for a branch end the route, and begin another one at a place of \
-         `{name}`"
+         is stiff and damped, or by constraints as in `mstmm::tutorial::several_loops`; for a branch end \
+         the route, and begin another one at a place of `{name}`"
     );
     context.diagnostics.error(name.joined.span(), message);
     RouteItem::Duplicate { name }
