@@ -12,7 +12,9 @@ pub mod further {
         "dual number",
         "derivative",
         "linearization",
-        "sensitivity"
+        "sensitivity",
+        "event",
+        "zero crossing"
     ))]
     #![doc = include_str!("tutorial/further.md")]
 }
