@@ -52,3 +52,34 @@ impl<T, V: Copy, P: ConnectionPoint<Scalar = T> + Copy> HingeResult<T, V, P> {
         self.output
     }
 }
+
+/// Results at places with one force and one moment: points, not hinges.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "forces and moments belong to the points of a hinge",
+    label = "write `input().force()`, `input().moment()` or `effort()`",
+    note = "`input()` and `output()` of a hinge have `force()` and `moment()`; `effort()` is what its motor supplies"
+)]
+pub trait WithOneForce {}
+
+/// Methods that hinges do not have: rustc reports where the values are.
+#[doc(hidden)]
+impl<T, V, P> HingeResult<T, V, P> {
+    pub fn force(&self)
+    where
+        Self: WithOneForce,
+    {
+    }
+
+    pub fn moment(&self)
+    where
+        Self: WithOneForce,
+    {
+    }
+
+    pub fn torque(&self)
+    where
+        Self: WithOneForce,
+    {
+    }
+}

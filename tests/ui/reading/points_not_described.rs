@@ -1,4 +1,5 @@
-//! What a body's description does not have cannot be read: an output, a centre of mass on a line, points.
+//! What a body's description does not have cannot be read: an output, a centre of mass on a line, points. Forces are read from
+//! the points of a hinge.
 
 use mstmm::prelude::*;
 
@@ -43,6 +44,8 @@ fn main() {
     let at = Space::<f64>::new().workspace();
     at.rod().output();
     at.rod().tip();
+    at.joint().force();
+    at.joint().torque();
 
     let at = Plane::<f64>::new().workspace();
     at.rod(1).map(|rod| rod.output());
