@@ -60,7 +60,9 @@ mstmm_chain! {
         body Bar { mass = 2 kg; com = [0.3, 0] m; output = [0.6, 0] m; inertia = 0.06 kg*m^2 about com; }
         ground -> pin drive -> Crank crank -> pin a -> Bar coupler -> pin b -> Bar rocker
                -> pin d -> ground at [0.8, 0] m;
-        hinge drive { torque = input; }
+        hinge drive { torque = input; start = 60 deg; }
+        hinge a { start = -20 deg; }
+        hinge b { start = -80 deg; }
     }
 
     /// A floating trunk with two legs, and a tail of three links with a spike each.

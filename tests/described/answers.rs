@@ -280,7 +280,7 @@ fn given_values_that_are_not_finite_are_named() {
         };
         let mut given = vec![0.1; answer.given(of)];
         assert_eq!(given.len(), parts.iter().map(|(_, len)| len).sum::<usize>(), "{answer:?}");
-        let mut result = vec![0.0; answer.len(of, Everything::<f64>::DYNAMIC_PARAMETERS)];
+        let mut result = vec![0.0; answer.len(of, Everything::<f64>::DYNAMIC_PARAMETER_COUNT)];
         let mut ask = |given: &[f64]| {
             let (state, inputs) = (chain.initial_state(), chain.no_inputs());
             chain.answer(answer, &state, &inputs, given, &mut result)

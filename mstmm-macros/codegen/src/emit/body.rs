@@ -122,7 +122,7 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
             common_: #common,
             #(#fields)*
         }
-        #[allow(dead_code, non_snake_case)]
+        #[allow(dead_code, non_snake_case, clippy::misnamed_getters)]
         impl<T: #mstmm::Scalar #(, #parameters: ::core::marker::Copy)*> #name<T #(, #parameters)*> {
             #(#methods)*
         }

@@ -180,7 +180,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
                     inputs_: &#inputs<T>,
                 ) -> ::core::result::Result<T, #mstmm::Error> {
                     #checked
-                    let residual_ = self.correct(&mut state_.clone(), inputs_);
+                    let residual_ = self.correct(&mut ::core::clone::Clone::clone(state_), inputs_);
                     #mstmm::generated::closure_error::<Self>(state_, inputs_, residual_)
                 }
 

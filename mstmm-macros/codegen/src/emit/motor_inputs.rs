@@ -56,7 +56,7 @@ fn set(cx: &EmitContext, input: &Input, driven: &[Option<usize>]) -> TokenStream
     match is_repeated {
         false => quote!(self.#name = #value;),
         true => quote! {
-            for (index_, input_) in self.#name.iter_mut().enumerate() {
+            for (index_, input_) in ::core::iter::Iterator::enumerate(self.#name.iter_mut()) {
                 *input_ = #value;
             }
         },
