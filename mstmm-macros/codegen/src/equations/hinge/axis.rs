@@ -36,6 +36,11 @@ impl<S: Scalar> Alignment<S> {
         if self.is_reversed { -unit } else { unit }
     }
 
+    /// Returns another axis of the hinge as a unit vector in aligned axes.
+    pub fn to_aligned(&self, axis: &[Value; 3], values: &SymbolValues<S>) -> Vec3<S> {
+        self.rotation.transposed() * values.unit(axis)
+    }
+
     /// Returns a rotation about the hinge's axis.
     pub fn rotation_by(&self, angle: S) -> AxisRotation<S> {
         let (sin, cos) = angle.sin_cos();
@@ -65,9 +70,18 @@ fn basis_along<S: Scalar>(k: usize, unit: Vec3<S>) -> Mat3<S> {
     rotation
 }
 
-/// Returns the rotation about a unit vector by an angle with the given sine and cosine: `cos 1 +
-/// sin ẽ + (1 − cos) e eᵀ`.
-pub fn rotation_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
+/// Returns the rotation about a unit vector by an angle with the given sine and cosine.
+pub fn rotation_about_unit<S: Scalar>(axis: Vec3<S>, angle: (S, S)) -> Mat3<S> {
+    let others = |k: usize| axis[(k + 1) % 3].vanishes() && axis[(k + 2) % 3].vanishes();
+    match (0..3).find(|&k| others(k)) {
+        // A unit vector along a coordinate axis is plus or minus that axis.
+        Some(k) => Mat3::axis_rotation(k, (angle.0 * axis[k], angle.1)),
+        None => rotation_about(axis, angle),
+    }
+}
+
+/// Returns the same for a vector along no coordinate axis: `cos 1 + sin ẽ + (1 − cos) e eᵀ`.
+fn rotation_about<S: Scalar>(unit: Vec3<S>, (sin, cos): (S, S)) -> Mat3<S> {
     let scaled = unit * (S::one() - cos);
     let outer = Mat3::from_fn(|i, j| scaled[i] * unit[j]);
     Mat3::identity() * cos + unit.skew() * sin + outer

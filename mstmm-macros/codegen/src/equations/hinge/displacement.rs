@@ -5,7 +5,7 @@
 //! This holds for every kind of hinge. It also holds for quaternions whose length is not exactly one,
 //! since the displaced rotation is that of the quaternion, followed by the small rotation.
 
-use super::HingeGeometry;
+use super::{ColumnFrame, HingeGeometry, SubspaceColumn};
 use crate::math::{AxisRotation, FrameOrientation, Motion, Scalar, Vec3};
 use crate::model::HingeKind;
 
@@ -19,12 +19,14 @@ impl<S: Scalar> HingeGeometry<S> {
     /// Returns the geometry after a displacement along the rates, and the small rotation, in outboard axes, that follows
     /// the rotation if it is not about an axis.
     pub fn displaced(self, displacement: &[S]) -> (Self, Option<Vec3<S>>) {
-        let along = |on_outboard: bool| {
+        let along = |frame: ColumnFrame| {
             let columns = self.columns.iter().zip(displacement);
-            let chosen = columns.filter(|(column, _)| column.on_outboard == on_outboard);
+            let chosen = columns.filter(|(column, _)| column.frame == frame);
             chosen.fold(Motion::zero(), |sum, (column, &amount)| sum + column.motion.scaled(amount))
         };
-        let (inboard, outboard) = (along(false), along(true));
+        let (of_middle, outboard) = (along(ColumnFrame::Inboard), along(ColumnFrame::Outboard));
+        // In inboard axes, also the columns that are constant in the middle frame.
+        let inboard = of_middle + along(ColumnFrame::Middle);
         let before = self.rotation.matrix();
         let back = before.transposed();
         let turned = back * inboard.angular + outboard.angular;
@@ -36,7 +38,16 @@ impl<S: Scalar> HingeGeometry<S> {
         let small = axis_rotation.is_none().then_some(turned);
         let offset = self.offset + inboard.linear + before * outboard.linear;
         let rotation = FrameOrientation::from_matrix(rotation);
-        (HingeGeometry { rotation, axis_rotation, offset, ..self }, small)
+        let moved = |column: SubspaceColumn<S>| match column.frame {
+            ColumnFrame::Inboard | ColumnFrame::Outboard => column,
+            ColumnFrame::Middle => {
+                let Motion { linear, angular } = column.motion;
+                let angular = angular + of_middle.angular.cross(angular);
+                SubspaceColumn { motion: Motion { linear, angular }, ..column }
+            }
+        };
+        let columns = self.columns.into_iter().map(moved).collect();
+        (HingeGeometry { rotation, axis_rotation, offset, columns }, small)
     }
 }
 

@@ -55,14 +55,28 @@ pub struct HingeGeometry<S> {
     pub columns: Vec<SubspaceColumn<S>>,
 }
 
-/// A column of the motion subspace, constant in the axes of one side: the motion of the outboard
+/// A column of the motion subspace, constant in one frame of the hinge: the motion of the outboard
 /// origin and frame relative to the inboard frame.
 #[derive(Clone, Copy, Debug)]
 pub struct SubspaceColumn<S> {
-    /// Whether the column is constant on the outboard side.
-    pub on_outboard: bool,
-    /// The six entries, in aligned axes of that side.
+    /// The frame in which the column is constant.
+    pub frame: ColumnFrame,
+    /// The six entries: in aligned axes of the outboard side if the column is constant there, in
+    /// those of the inboard side otherwise.
     pub motion: Motion<S>,
+}
+
+/// The frame in which a column of the motion subspace is constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColumnFrame {
+    /// The inboard frame.
+    Inboard,
+    /// A frame between both sides. The inboard columns move it relative to the inboard frame, and the
+    /// outboard frame moves relative to it by the middle columns, then by the outboard columns. A kind
+    /// of hinge with such a column has rotations only.
+    Middle,
+    /// The outboard frame.
+    Outboard,
 }
 
 impl<S: Scalar> HingeGeometry<S> {
@@ -89,7 +103,7 @@ impl<S: Scalar> HingeGeometry<S> {
 impl<S: Scalar> SubspaceColumn<S> {
     /// A column fixed on the inboard side.
     fn inboard(motion: Motion<S>) -> Self {
-        SubspaceColumn { on_outboard: false, motion }
+        SubspaceColumn { frame: ColumnFrame::Inboard, motion }
     }
 
     /// A translation along a vector fixed on the inboard side.
@@ -104,7 +118,7 @@ impl<S: Scalar> SubspaceColumn<S> {
 
     /// Returns the same entries fixed on the outboard side.
     fn outboard(self) -> Self {
-        SubspaceColumn { on_outboard: true, ..self }
+        SubspaceColumn { frame: ColumnFrame::Outboard, ..self }
     }
 }
 

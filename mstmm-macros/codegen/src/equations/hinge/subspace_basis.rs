@@ -59,14 +59,17 @@ impl<S: Scalar> BasisVector<S> {
 }
 
 /// Returns a basis of `subspace`, in work axes. `strains` maps rates to strain rates, and
-/// `armature` are the rotor inertias along the strains.
+/// `armature` are the rotor inertias along the strains. Three rotations that are not orthogonal to
+/// each other stay the basis: whole axes would be divided by what vanishes where the three are in one
+/// plane, and the elimination tests its pivots.
 pub fn subspace_basis<S: Scalar>(
-    subspace: &[Motion<S>],
+    (subspace, has_orthogonal_rotations): (&[Motion<S>], bool),
     strains: &StrainMap<S>,
     armature: &[S],
 ) -> SubspaceBasis<S> {
     if armature.iter().all(|inertia| inertia.vanishes()) {
-        let on_axes = axes_of(subspace).and_then(|axes| on_axes(subspace, axes, armature));
+        let axes = axes_of(subspace).filter(|_| has_orthogonal_rotations);
+        let on_axes = axes.and_then(|axes| on_axes(subspace, axes, armature));
         return on_axes
             .unwrap_or_else(|| along(subspace.to_vec(), identity(subspace.len()).1, armature));
     }

@@ -1,7 +1,7 @@
 //! The transform across a hinge from the parent's side to the child's side, either of which may be
 //! inboard.
 
-use super::{HingeGeometry, SubspaceColumn};
+use super::{ColumnFrame, HingeGeometry, SubspaceColumn};
 use crate::equations::SymbolValues;
 use crate::equations::strategy::rotates_in_steps;
 use crate::math::{AxisRotation, FrameOrientation, Mat3, Motion, Rotation, Scalar, Vec3};
@@ -26,10 +26,13 @@ pub struct HingeTransform<S> {
     outboard_offset: Option<Vec3<S>>,
 }
 
-/// A column of the motion subspace, in aligned axes of the side where it is constant.
+/// A column of the motion subspace, in aligned axes of one side.
 #[derive(Clone, Copy, Debug)]
 struct OrientedColumn<S> {
+    /// Whether that is the child's side.
     on_child: bool,
+    /// The frame in which the column is constant. The middle frame has inboard axes.
+    frame: ColumnFrame,
     motion: Motion<S>,
 }
 
@@ -72,8 +75,10 @@ pub fn hinge_transform<S: Scalar>(
 
 fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
-    let oriented =
-        |d: SubspaceColumn<S>| OrientedColumn { on_child: d.on_outboard, motion: d.motion };
+    let oriented = |SubspaceColumn { frame, motion }| {
+        let on_child = frame == ColumnFrame::Outboard;
+        OrientedColumn { on_child, frame, motion }
+    };
     let columns = columns.into_iter().map(oriented).collect();
     HingeTransform {
         rotation,
@@ -90,10 +95,11 @@ fn outward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
 fn inward<S: Scalar>(geometry: HingeGeometry<S>) -> HingeTransform<S> {
     let HingeGeometry { rotation, axis_rotation, offset, columns } = geometry;
     let back = rotation.matrix().transposed() * offset;
-    let oriented = |d: SubspaceColumn<S>| {
-        let to_inboard = if d.on_outboard { -back } else { -offset };
-        let motion = d.motion.shifted_to(to_inboard).scaled(-S::one());
-        OrientedColumn { on_child: !d.on_outboard, motion }
+    let oriented = |SubspaceColumn { frame, motion }: SubspaceColumn<S>| {
+        let on_child = frame != ColumnFrame::Outboard;
+        let to_inboard = if on_child { -offset } else { -back };
+        let motion = motion.shifted_to(to_inboard).scaled(-S::one());
+        OrientedColumn { on_child, frame, motion }
     };
     HingeTransform {
         rotation: rotation.inverse(),
@@ -126,34 +132,47 @@ impl<S: Scalar> HingeTransform<S> {
 
     /// Returns the bias acceleration `Ṡ v` of the hinge relative to the parent, work axes.
     ///
-    /// Translations are constant on the inboard side. With the angular rates `ω_i`, `ω_o` of
-    /// columns that are constant on the inboard and on the outboard side, the outward bias
-    /// acceleration is `[0; ω_i × ω_o]`. In the inward direction, the inboard origin at `−d` in the
-    /// outboard frame also has `2 ω × ḋ − ω × (ω × d)`.
+    /// Translations are constant on the inboard side. With the angular rates `ω_i`, `ω_m`, `ω_o` of
+    /// columns that are constant in the inboard, the middle and the outboard frame, the outward bias
+    /// acceleration is `[0; ω_i × (ω_m + ω_o) + ω_m × ω_o]`. In the inward direction, the inboard
+    /// origin at `−d` in the outboard frame also has `2 ω × ḋ − ω × (ω × d)`.
     pub fn bias_acceleration(
         &self,
         subspace: &[Motion<S>],
         rates: &[S],
         axes: &ToWorkAxes<S>,
     ) -> Motion<S> {
-        let angular_rate = |on_child: bool| {
-            let all = subspace.iter().zip(&self.columns).zip(rates);
-            let chosen = all.filter(|((_, fixed), _)| fixed.on_child == on_child);
-            chosen.fold(Vec3::zero(), |sum, ((motion, _), &rate)| sum + motion.angular * rate)
-        };
-        let (on_parent, on_child) = (angular_rate(false), angular_rate(true));
+        let [inboard, middle, outboard] = self.angular_rates(subspace, rates);
+        let later = middle + outboard;
+        let bias = inboard.cross(later) + middle.cross(outboard);
         let Some(offset) = self.outboard_offset else {
-            return Motion { linear: Vec3::zero(), angular: on_parent.cross(on_child) };
+            return Motion { linear: Vec3::zero(), angular: bias };
         };
-        // The child is the inboard side, and `angular_rate` is its rate relative to the outboard
-        // side.
-        let (inboard, outboard) = (-on_child, -on_parent);
-        let (omega, bias) = (inboard + outboard, inboard.cross(outboard));
+        let omega = inboard + later;
         let offset = axes.child_to_work * offset;
         let shift = omega.cross(offset) - combine(subspace.iter(), rates).linear;
         let linear =
             bias.cross(offset) + omega.cross(shift) * S::number(2.0) - offset.centripetal(omega);
         Motion { linear, angular: -bias }
+    }
+
+    /// Returns the angular rates of the columns that are constant in the inboard, the middle and the
+    /// outboard frame, all of the outboard side relative to the inboard side, work axes.
+    fn angular_rates(&self, subspace: &[Motion<S>], rates: &[S]) -> [Vec3<S>; 3] {
+        let frames = [ColumnFrame::Inboard, ColumnFrame::Middle, ColumnFrame::Outboard];
+        frames.map(|frame| {
+            let all = subspace.iter().zip(&self.columns).zip(rates);
+            let chosen = all.filter(|((_, column), _)| column.frame == frame);
+            let sum =
+                chosen.fold(Vec3::zero(), |sum, ((motion, _), &rate)| sum + motion.angular * rate);
+            // The columns of a reversed hinge are motions of the inboard side.
+            if self.outboard_offset.is_some() { -sum } else { sum }
+        })
+    }
+
+    /// Returns whether the columns of the rotations are orthogonal to each other if there are three.
+    pub fn has_orthogonal_rotations(&self) -> bool {
+        self.columns.iter().all(|column| column.frame != ColumnFrame::Middle)
     }
 }
 
@@ -163,19 +182,25 @@ impl<S: Scalar> HingeTransform<S> {
     ///
     /// `omega` are the angular velocities of the parent and of the child, `relative` is the motion of the
     /// child's point and frame relative to the parent's. A column that is constant on one side rotates with
-    /// it. In the inward direction, a column is that of the outboard origin, shifted by `−d` to the inboard
-    /// origin; so `ω × (−ḋ)` is added, with `−ḋ` relative to the side where the column is constant.
+    /// it, and one that is constant in the middle frame with that frame. In the inward direction, a column is
+    /// that of the outboard origin, shifted by `−d` to the inboard origin; so `ω × (−ḋ)` is added, with `−ḋ`
+    /// relative to the side where the column is constant.
     pub fn subspace_rates(
         &self,
-        subspace: &[Motion<S>],
+        (subspace, rates): (&[Motion<S>], &[S]),
         ([parent, child], relative): ([Vec3<S>; 2], Motion<S>),
         axes: &ToWorkAxes<S>,
     ) -> Vec<Motion<S>> {
         let offset = self.outboard_offset.map(|offset| axes.child_to_work * offset);
+        let [of_middle, ..] = self.angular_rates(subspace, rates);
         let rate = |(column, fixed): (&Motion<S>, &OrientedColumn<S>)| {
             let side = if fixed.on_child { child } else { parent };
-            let linear = side.cross(column.linear);
-            let angular = side.cross(column.angular);
+            let frame = match fixed.frame {
+                ColumnFrame::Inboard | ColumnFrame::Outboard => side,
+                ColumnFrame::Middle => side + of_middle,
+            };
+            let linear = frame.cross(column.linear);
+            let angular = frame.cross(column.angular);
             let Some(offset) = offset else { return Motion { linear, angular } };
             let shift = match fixed.on_child {
                 true => relative.linear + relative.angular.cross(offset),

@@ -32,6 +32,8 @@ pub struct HingeKinematics<S> {
     pub efforts: Vec<S>,
     /// Angular velocity of the parent, in the parent's work axes.
     pub parent_omega: Vec3<S>,
+    /// The rates.
+    pub rates: Vec<S>,
     /// Velocity relative to the parent, at the child's point.
     pub relative_velocity: Motion<S>,
     /// Bias acceleration of the child's point relative to the parent's.
@@ -84,7 +86,8 @@ impl<S: Scalar> HingeKinematics<S> {
         let (transform, work) = &self.transform;
         let parent = self.to_parent.rotate_back(self.parent_omega);
         let omega = [parent, parent + self.relative_velocity.angular];
-        transform.subspace_rates(&self.subspace, (omega, self.relative_velocity), work)
+        let subspace = (&self.subspace[..], &self.rates[..]);
+        transform.subspace_rates(subspace, (omega, self.relative_velocity), work)
     }
 
     /// Returns `X a_p + b`.
@@ -158,7 +161,10 @@ pub fn hinge_kinematics<S: Scalar>(
             in_hinge = in_hinge + hinge::combine(subspace.iter(), accelerations);
             hinge::empty_basis()
         }
-        None => hinge::subspace_basis(&subspace, &passives.strains, &passives.inertias),
+        None => {
+            let subspace = (&subspace[..], transform.has_orthogonal_rotations());
+            hinge::subspace_basis(subspace, &passives.strains, &passives.inertias)
+        }
     };
     let motor = context.actuator_efforts(index);
     let efforts = motor.iter().zip(&passives.efforts).map(|(&motor, &own)| motor + own).collect();
@@ -175,6 +181,7 @@ pub fn hinge_kinematics<S: Scalar>(
         passives,
         efforts,
         parent_omega: omega,
+        rates: v.to_vec(),
         relative_velocity,
         bias_acceleration: BiasAcceleration { on_parent, in_hinge },
         child_to_work,
