@@ -1,6 +1,6 @@
 //! Ball: a unit quaternion (w, x, y, z), and an angular velocity in rad/s.
 
-use super::{HingeSpec, StateView, ViewArgument, one, quaternion, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, one, quaternion, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "ball",

@@ -1,6 +1,6 @@
 //! Cylindrical: a displacement in m and an angle in rad.
 
-use super::{HingeSpec, StateView, ViewArgument, rotations, translations, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, rotations, translations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "cylindrical",

@@ -1,7 +1,9 @@
 //! Elastic: a displacement in m and three angles in rad; a velocity in m/s and an angular velocity in
 //! rad/s.
 
-use super::{DofGroup, HingeSpec, Representation, StateView, ViewArgument, displacements, zero};
+use super::spec::{
+    DofGroup, HingeSpec, Representation, StateView, ViewArgument, displacements, zero,
+};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "elastic",

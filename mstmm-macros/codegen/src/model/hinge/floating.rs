@@ -1,7 +1,7 @@
 //! Floating: a position in m and a unit quaternion (w, x, y, z); a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{HingeSpec, StateView, ViewArgument, one, quaternion, translations, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, one, quaternion, translations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "floating",

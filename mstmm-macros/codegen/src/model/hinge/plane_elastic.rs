@@ -1,7 +1,7 @@
 //! Elastic in the plane: a displacement in m and an angle in rad; a velocity in m/s and an angular
 //! velocity in rad/s.
 
-use super::{HingeSpec, StateView, ViewArgument, displacements, rotations, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, displacements, rotations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "elastic",

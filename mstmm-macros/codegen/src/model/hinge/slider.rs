@@ -1,6 +1,6 @@
 //! Slider: a displacement in m.
 
-use super::{HingeSpec, StateView, ViewArgument, translations, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, translations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "slider",

@@ -1,6 +1,6 @@
 //! Universal: two angles in rad.
 
-use super::{HingeSpec, StateView, ViewArgument, rotations, zero};
+use super::spec::{HingeSpec, StateView, ViewArgument, rotations, zero};
 
 pub(super) const SPEC: HingeSpec = HingeSpec {
     word: "universal",

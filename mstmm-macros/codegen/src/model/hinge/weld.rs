@@ -1,6 +1,6 @@
 //! Weld: no coordinates.
 
-use super::HingeSpec;
+use super::spec::HingeSpec;
 
 pub(super) const SPEC: HingeSpec =
     HingeSpec { word: "weld", coordinates: &[], rates: &[], groups: &[], view: None };
