@@ -4,9 +4,10 @@
 mod common;
 
 use common::read;
+use mstmm_codegen::compile::compile;
 use mstmm_codegen::diag::Diagnostics;
 use mstmm_codegen::examine::{Mobility, examine};
-use mstmm_codegen::model::ClosureRank;
+use mstmm_codegen::model::{ClosureRank, Layout};
 use mstmm_reference::Random;
 
 /// The number of starts for each size of deviation.
@@ -72,6 +73,21 @@ fn check(text: impl Fn(&[f64]) -> String, start: &[f64], rank: usize) {
             assert_eq!(findings.closure_rank, known, "{near:?}");
         }
     }
+}
+
+/// A final weld closes a chain next to a repeated part. Where the part is written out, the weld is merged, and the hinge
+/// before it closes the chain with another number of constraints.
+#[test]
+fn a_weld_after_a_repeated_part_has_its_own_rank() {
+    let text = "chain Hung {
+        param length = 0.5 m;
+        body Rod { mass = 1; com = [0.2, 0, 0]; inertia = diag(0.1, 0.2, 0.3) about com; output = [length, 0, 0]; }
+        ground -> repeat 2 { floating joint -> Rod rod } -> weld last -> ground;
+    }";
+    let chain = read(text);
+    let findings = examine(&chain, &mut Diagnostics::default());
+    assert_eq!(findings.closure_rank, ClosureRank::Unknown);
+    compile(&chain, &findings, &Layout::of(&chain));
 }
 
 #[test]

@@ -8,7 +8,7 @@ mod dry_run;
 use crate::diag::Diagnostics;
 use crate::equations::{LoopReaction, SymbolValues};
 use crate::math::PIVOT_ULPS;
-use crate::model::{Chain, ClosureRank, Drive, Hinge, HingeId, Request, Role};
+use crate::model::{Chain, ClosureRank, Drive, Hinge, HingeId, Layout, Request, Role};
 pub use drawing::{Drawing, DrawnEnd, DrawnMark, DrawnSpring};
 use dry_run::{Configuration, DryRun, Number, values};
 use proc_macro2::Ident;
@@ -64,6 +64,11 @@ pub struct Mobility {
     pub redundant: usize,
 }
 
+/// Returns the name of the hinge that closes a chain.
+fn closing_hinge<'a>(chain: &'a Chain, merged: &Layout) -> Option<&'a str> {
+    merged.loop_hinges.first().map(|&hinge| chain.hinges[hinge].path.as_str())
+}
+
 /// Checks a chain numerically, and reports its errors.
 pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.count_elements(usize::MAX) <= ELEMENTS;
@@ -75,7 +80,11 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     }
     let moves_all = dry_run.refuse_massless_hinges(diagnostics);
     let held_by_closure = dry_run.held_by_closure;
-    let mut closure_rank = dry_run.closure_rank_at_run_time();
+    // A final weld next to a repeated part is merged if the chain is written out: another hinge closes it then.
+    let closes_alike = closing_hinge(&dry_run.chain, &dry_run.merged)
+        == closing_hinge(chain, &Layout::merged(chain));
+    let mut closure_rank =
+        if closes_alike { dry_run.closure_rank_at_run_time() } else { ClosureRank::Unknown };
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
@@ -85,9 +94,10 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let mobility = if whole { dry_run.mobility(&poses) } else { None };
     // A single pose has prescribed motions at zero, which may be a singular position.
     let is_enough = poses.len() > 1 || !chain.hinges.iter().any(Hinge::is_prescribed);
-    if let (Some((rank, directions)), true) =
-        (dry_run.closure_rank(&poses), whole && is_enough && chain.geometry_is_known())
-    {
+    if let (Some((rank, directions)), true) = (
+        dry_run.closure_rank(&poses),
+        whole && is_enough && closes_alike && chain.geometry_is_known(),
+    ) {
         closure_rank = ClosureRank::Known { rank, directions };
     }
     if let Some(Mobility { dofs: 0, .. }) = mobility {
