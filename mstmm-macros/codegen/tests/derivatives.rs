@@ -43,8 +43,9 @@ fn results<S: Judge>(twin: &Twin, procedure: &Procedure, arguments: Arguments<S>
 
 /// Compares the derivatives of all results of all functions along a random direction of all arguments.
 fn compare_with_differences(seed: u64, twins: &Twins) {
-    // The step leaves an error of its square, and rounding divided by it: both are far below that of `f64`.
-    let step = DoubleDouble::new(1e-10);
+    // The step leaves an error of its square, and rounding divided by it, which terms that cancel enlarge: both
+    // are below that of `f64`.
+    let step = DoubleDouble::new(1e-7);
     let half = (step + step).recip();
     let twin = &twins.repeated;
     let [at, _] = twins.state::<DoubleDouble>(0);
