@@ -30,6 +30,11 @@ pub mod universal {
     #![doc = include_str!("hinges/universal.md")]
 }
 
+pub mod gimbal {
+    #![doc(alias("euler angles", "roll pitch yaw", "rpy"))]
+    #![doc = include_str!("hinges/gimbal.md")]
+}
+
 pub mod ball {
     #![doc(alias("spherical"))]
     #![doc = include_str!("hinges/ball.md")]

@@ -10,7 +10,7 @@ use mstmm_reference::{HingeMotion as Motion, Random};
 use nalgebra::{UnitQuaternion, Vector3};
 use support::mechanism::random_quaternion;
 use support::motion::{
-    ball, cylindrical, elastic, floating, part, pin, planar, plane_elastic, screw, slider,
+    ball, cylindrical, elastic, floating, gimbal, part, pin, planar, plane_elastic, screw, slider,
     universal,
 };
 use support::{ComparedPoint, difference, worst};
@@ -165,6 +165,10 @@ twins! {
         stiffness = [30, 20]; damping = 2; armature = [0.3, 0.1]; rest = [0.1, 0.2];
         friction = [1, 2]; friction_speed = 0.1;
     } motors { torque = input; } universal(2, false);
+    a_gimbal, GimbalTold GimbalDriven, space [gimbal(x, [1, 2, 0], [0, 1, 1])] {
+        stiffness = [30, 20, 10]; damping = 2; armature = [0.3, 0.1, 0.2]; rest = [0.1, 0.2, 0.3];
+        friction = [1, 2, 3]; friction_speed = 0.1;
+    } motors { torque = input; } gimbal(3, false);
     a_ball, BallTold BallDriven, space [ball] {
         rest = rpy(10, 20, 30) deg; stiffness = 30; damping = 2; armature = 0.3; friction = 1;
         friction_speed = 0.1; limits = 40 deg; limit_stiffness = 50; limit_damping = 2;

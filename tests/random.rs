@@ -100,6 +100,7 @@ fn the_seeds_have_everything() {
         ("screw", has_kind(|kind| matches!(kind, HingeKind::Screw { .. }))),
         ("cylindrical", has_kind(|kind| matches!(kind, HingeKind::Cylindrical { .. }))),
         ("universal", has_kind(|kind| matches!(kind, HingeKind::Universal { .. }))),
+        ("gimbal", has_kind(|kind| matches!(kind, HingeKind::Gimbal { .. }))),
         ("ball", has_kind(|kind| matches!(kind, HingeKind::Ball))),
         ("planar", has_kind(|kind| matches!(kind, HingeKind::Planar { .. }))),
         ("floating", has_kind(|kind| matches!(kind, HingeKind::Floating))),
@@ -255,4 +256,5 @@ seeds! {
     19 seed_19 Random19R Random19T;
     20 seed_20 Random20R Random20T;
     21 seed_21 Random21R Random21T;
+    27 seed_27 Random27R Random27T;
 }

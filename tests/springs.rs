@@ -142,6 +142,18 @@ springs! {
     2, quaternion false;
     power(q, _v) damped([2.0, 1.0], q) + rubbed(1.0, q[0], 0.1) + rubbed(0.5, q[1], 0.1);
 
+    a_gimbal, Gimbal GimbalLossy, space [gimbal(x, [1, 2, 0], z)]
+    {
+        rest = [0.2, 0.1, 0.3]; stiffness = [30, 20, 10]; armature = [0.3, 0.1, 0.2];
+        limits = [-0.2, 0.3]; limit_stiffness = 90;
+    }
+    { damping = [2, 1, 3]; friction = [1, 0.5, 2]; friction_speed = 0.1; }
+    3, quaternion false;
+    power(q, _v) {
+        let rubbed = rubbed(1.0, q[0], 0.1) + rubbed(0.5, q[1], 0.1) + rubbed(2.0, q[2], 0.1);
+        damped([2.0, 1.0, 3.0], q) + rubbed
+    };
+
     a_ball, Ball BallLossy, space [ball]
     {
         rest = rpy(10, 20, 30) deg; stiffness = 30; armature = 0.3; limits = 40 deg;

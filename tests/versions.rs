@@ -38,10 +38,11 @@ mod version_0_1_0 {
     include!("versions/0.1.0/closed.chain");
     include!("versions/0.1.0/tree.chain");
     include!("versions/0.1.0/repeated.chain");
+    include!("versions/0.1.0/gimbal.chain");
 
     /// Some of the chains are private to this module.
     pub fn all_facts() -> String {
-        facts_of!(Arm FourBar Animal Shaker Ladder Train)
+        facts_of!(Arm FourBar Animal Shaker Ladder Train Camera)
     }
 }
 

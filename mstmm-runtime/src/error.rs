@@ -16,6 +16,9 @@ pub enum Error {
     /// The articulated inertia outboard of a hinge is a difference of larger values. It is lost if it is not larger
     /// than their rounding errors: with masses that differ by a factor of about 10⁶ in `f32`, about 10¹⁵ in `f64`.
     /// Then use `f64`, or masses, lengths and moments of inertia that differ less.
+    ///
+    /// Two degrees of freedom of a gimbal with the same motion, where its axes are in one plane, have no inertia between
+    /// them either.
     Singular {
         /// The name of the hinge in the description.
         hinge: &'static str,

@@ -140,9 +140,9 @@ pub use energy::Energy;
 pub use error::Error;
 pub use hinge::{
     BallState, BallStateMut, CylindricalState, CylindricalStateMut, ElasticState, ElasticStateMut,
-    FloatingState, FloatingStateMut, HingeMotion, HingeResult, PinState, PinStateMut, PlanarState,
-    PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState, ScrewStateMut,
-    SliderState, SliderStateMut, UniversalState, UniversalStateMut,
+    FloatingState, FloatingStateMut, GimbalState, GimbalStateMut, HingeMotion, HingeResult,
+    PinState, PinStateMut, PlanarState, PlanarStateMut, PlaneElasticState, PlaneElasticStateMut,
+    ScrewState, ScrewStateMut, SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 pub use integrate::{Dopri5, LinearlyImplicitEuler, Newmark, Rk4, SemiImplicitEuler, Statistics};
 pub use kinematics::{

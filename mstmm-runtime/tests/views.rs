@@ -3,9 +3,9 @@
 use mstmm_runtime::nalgebra::{Rotation3, UnitQuaternion, Vector2, Vector3, Vector6};
 use mstmm_runtime::{
     BallState, BallStateMut, CylindricalState, CylindricalStateMut, ElasticState, ElasticStateMut,
-    FloatingState, FloatingStateMut, HingeMotion, PinState, PinStateMut, PlanarState,
-    PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState, ScrewStateMut,
-    SliderState, SliderStateMut, UniversalState, UniversalStateMut,
+    FloatingState, FloatingStateMut, GimbalState, GimbalStateMut, HingeMotion, PinState,
+    PinStateMut, PlanarState, PlanarStateMut, PlaneElasticState, PlaneElasticStateMut, ScrewState,
+    ScrewStateMut, SliderState, SliderStateMut, UniversalState, UniversalStateMut,
 };
 
 const ANGLES: [f64; 3] = [0.4, -0.7, 1.9];
@@ -128,6 +128,19 @@ fn universal() {
 }
 
 #[test]
+fn gimbal() {
+    let (mut q, mut v) = ([0.0; 3], [0.0; 3]);
+    GimbalStateMut::new(q.each_mut(), v.each_mut())
+        .set_angles(Vector3::new(1.0, 2.0, 3.0))
+        .set_rates(Vector3::new(4.0, 5.0, 6.0));
+    assert_eq!((q, v), ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0]));
+    let view = GimbalState::new(q, v);
+    assert_eq!(view.angles(), Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!(view.rates(), Vector3::new(4.0, 5.0, 6.0));
+    assert_eq!(view.into_groups(), (q, v));
+}
+
+#[test]
 fn planar() {
     let (mut q, mut v) = ([0.0; 3], [0.0; 3]);
     let ([u, w, angle], [du, dw, rate]) = (q.each_mut(), v.each_mut());
@@ -190,6 +203,7 @@ fn unspecified_rest_is_the_zero_position() {
     assert_eq!(ScrewState::default().into_groups(), (0.0, 0.0));
     assert_eq!(CylindricalState::default().into_groups(), (0.0, 0.0, 0.0, 0.0));
     assert_eq!(UniversalState::default().into_groups(), ([0.0; 2], [0.0; 2]));
+    assert_eq!(GimbalState::default().into_groups(), (zero, zero));
     assert_eq!(BallState::default().into_groups(), (one, zero));
     assert_eq!(PlanarState::default().into_groups(), ([0.0; 2], 0.0, [0.0; 2], 0.0));
     assert_eq!(FloatingState::default().into_groups(), (zero, one, zero, zero));

@@ -33,6 +33,14 @@ pub enum elastic {}
 /// See [the page of this kind](mod@crate::hinges::floating) for its equations.
 pub enum floating {}
 
+/// `gimbal(a, b, c)`: three rotations.
+///
+/// Coordinates: α, β, γ. Rotation R and displacement d: Rot(a, α) Rot(b, β) Rot(c, γ), 0.
+/// Rates, each with an effort: α̇, β̇, γ̇: torques.
+///
+/// See [the page of this kind](mod@crate::hinges::gimbal) for its equations.
+pub enum gimbal {}
+
 /// `pin(axis)` (revolute): a rotation.
 ///
 /// Coordinates: the angle θ. Rotation R and displacement d: Rot(θ), 0. Rates, each with an

@@ -24,7 +24,7 @@ mstmm_chain! {
         }
         ground -> pin([0, tilt, 1]) base -> Root root
             -> repeat 3 from link.eye = root.eye { universal([1, lean, 0], z) joint -> Link link }
-            -> slider(x) rail -> Root tip;
+            -> slider(x) rail -> Root tip -> gimbal([0, lean, 1], y, x) mount -> Root end;
         hinge base { start_rate = 1; }
         spring stay { on = link; at = [0.1 m, reach, 0 m]; to = last.link.eye; stiffness = 30; }
         spring rope { on = link.com; to = root.eye; stiffness = 10; }
@@ -114,7 +114,7 @@ fn relative<C: Described<Scalar = f64>>(
 }
 
 /// The relative motion at each hinge with axes is along its axes, with its rates: of pins, sliders, screws, cylindrical and
-/// universal hinges; of a planar hinge the rotation. Returns the names of the hinges with axes.
+/// universal hinges, and gimbals; of a planar hinge the rotation. Returns the names of the hinges with axes.
 fn axes_are_those_of_the_motion<C: Described<Scalar = f64>>(chain: &C) -> Vec<String> {
     let (it, (state, at)) = (C::DESCRIPTION, solved(chain));
     let mut found = Vec::new();
@@ -155,6 +155,13 @@ fn axes_are_those_of_the_motion<C: Described<Scalar = f64>>(chain: &C) -> Vec<St
             ("universal", [first, second], [other]) => {
                 close(angular, along * *first + other * *second);
             }
+            ("gimbal", [first, second, third], [other]) => {
+                // The axis between them is perpendicular to the last one here.
+                let between = angular - along * *first - other * *third;
+                assert!(
+                    (between.norm() - second).abs() < 1e-12 && between.dot(other).abs() < 1e-12
+                );
+            }
             ("planar", [.., rate], _) => {
                 close(angular, along * *rate);
                 assert!(along.dot(&linear).abs() < 1e-12);
@@ -181,7 +188,7 @@ fn axes_are_those_that_hinges_move_along() -> Result<(), mstmm::Error> {
     let mut tied = Tied::new();
     tied.set_tilt(-0.9)?;
     tied.set_lean(1.7)?;
-    assert_eq!(axes_are_those_of_the_motion(&tied).len(), 5);
+    assert_eq!(axes_are_those_of_the_motion(&tied).len(), 6);
     Ok(())
 }
 

@@ -4,32 +4,29 @@ use super::face::printed;
 use crate::support::motion::*;
 
 printed! {
-    Random0R Random0T, Point, energy(state);
+    Random0R Random0T, Point, energy_with(state, inputs);
     inputs |drives| {
-        j1: drives.efforts[0],
-        s1_force: drives.springs[0],
+        j1: pin(&drives.motions[0]),
     }
     hinges j1 j2;
-    springs s1 s2;
+    springs s1;
 pub chain {
-    gravity = [9.81, 0.0, 0.0] m/s^2;
+    gravity = [0.0, -9.8, 0.0] m/s^2;
     body B1 {
-        mass = 1.38 kg;
-        com = [0.48, 0.0, 0.0] m;
-        output = [-0.03, 0.64, -0.71] m turned rpy(154.6, -61.5, 131.5) deg;
-        inertia = tensor(0.06925, 0.050282, 0.060487, 0.013501, 0.008858, -0.0076) kg*m^2 about com;
+        mass = 1.03 kg;
+        com = [0.0, 0.58, 0.0] m;
+        output = [0.5, 0.04, -0.03] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = tensor(0.130135, 0.092857, 0.087087, 0.016164, 0.014644, 0.00964) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.64 kg;
-        com = [0.0, 0.0, 0.33] m;
-        output = [0.0, 0.0, -0.12] m;
-        inertia = diag(1.075202, 1.199649, 0.588383) kg*m^2 about input;
+        mass = 1.69 kg;
+        com = [0.12, 0.0, 0.0] m;
+        output = [0.0, 0.55, 0.0] m turned rpy(90.0, 0.0, 90.0) deg;
+        inertia = tensor(0.198305, 0.212564, 0.211159, -0.017491, 0.013202, 0.002827) kg*m^2 about com;
     }
-    ground -> cylindrical([0.0, -1.0, 0.0]) j1 -> B1 b1 -> pin(x) j2 -> B2 b2;
-    hinge j1 { stiffness = 8.77 N/m; limits = [-0.16, 1.13] m; limit_stiffness = 13.8 N/m; force = input; torque = 2.7 N*m; }
-    hinge j2 { damping = 0.16 N*m*s/rad; armature = 0.75 kg*m^2; limits = [-0.64, 0.7] rad; limit_stiffness = 41.2 N*m/rad; limit_damping = 1.51 N*m*s/rad; torque = 3.0 N*m; }
-    spring s1 { on = b1; at = com; to = [-0.9, -0.6, -0.1] m; stiffness = 31.2 N/m; length = 0.8 m; force = input; }
-    spring s2 { on = b2; at = [0.0, 0.0, 0.18] m; to = [1.1, 1.9, 1.2] m; stiffness = 20.2 N/m; length = 0.4 m; }
+    ground at [-0.55, 1.78, 1.73] m turned rpy(-90.0, 0.0, 0.0) deg -> pin([0.0, -1.0, 0.0]) j1 -> B1 b1 -> weld j2 -> B2 b2;
+    hinge j1 { rest = -1.5 rad; stiffness = 14.24 N*m/rad; damping = 1.76 N*m*s/rad; armature = 0.15 kg*m^2; motion = input; }
+    spring s1 { on = b2; at = [0.77, 0.0, 0.0] m; to = [1.8, -1.2, -1.5] m; stiffness = 9.1 N/m; damping = 0.37 N*s/m; length = 1.44 m; }
 }
 }
 
@@ -55,13 +52,16 @@ pub plane chain {
 printed! {
     Random2R Random2T, Point, energy_with(state, inputs);
     inputs |drives| {
-        j3: universal(&drives.motions[0]),
-        gravity: drives.gravity.into(),
+        j1: floating(&drives.motions[0]),
+        j2: gimbal(&drives.motions[1]),
+        j4: floating(&drives.motions[2]),
+        l1_torque: drives.loads[0].torque.into(),
+        s1_force: drives.springs[0],
     }
     hinges j1 j2 j3 j4;
     springs s1;
 pub chain {
-    gravity = input;
+    gravity = [0.0, -9.8, 0.0] m/s^2;
     body B1 {
         mass = 3.04 kg;
         com = [0.32, -0.23, -0.18] m;
@@ -69,73 +69,68 @@ pub chain {
         inertia = tensor(0.324288, 0.449264, 0.518557, 0.229922, 0.163918, -0.11339) kg*m^2 about input;
     }
     body B2 {
-        mass = 1.27 kg;
-        com = [0.0, 0.1, 0.0] m;
-        output = [0.84, -0.78, 0.12] m turned rpy(34.1, 35.9, -96.7) deg;
-        inertia = tensor(0.042877, 0.030865, 0.047725, 0.004753, 0.003151, 0.005389) kg*m^2 about input;
+        mass = 1.01 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.15, 1.15, 0.84] m;
+        inertia = tensor(0.069971, 0.051885, 0.050937, -0.001603, -0.00821, -0.014285) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.84 kg;
-        com = [0.0, 0.0, 0.19] m;
-        output = [1.03, 0.62, 1.04] m;
-        inertia = diag(0.251208, 0.284712, 0.093884) kg*m^2 about input;
+        mass = 3.53 kg;
+        com = [0.29, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.29] m turned rpy(93.5, 156.1, -64.5) deg;
+        inertia = diag(0.103495, 0.431168, 0.383178) kg*m^2 about input;
     }
     body B4 {
-        mass = 0.78 kg;
-        com = [0.46, -0.14, -0.28] m;
-        output = [0.0, 0.58, 0.0] m turned rpy(-98.5, -148.7, 9.0) deg;
-        inertia = tensor(0.160987, 0.278338, 0.23454, 0.054949, 0.093979, -0.033924) kg*m^2 about input;
+        mass = 3.35 kg;
+        com = [0.0, 0.14, 0.0] m;
+        output = [-0.95, 0.0, 0.0] m turned rpy(-104.2, -175.1, 76.5) deg;
+        inertia = diag(0.315872, 0.254632, 0.117245) kg*m^2 about input;
     }
-    B1 b1 -> pin(y) j1 -> B2 b2 -> elastic j2 -> B3 b3 -> universal(x, [0.0, 0.0, -1.0]) j3 -> B4 b4 -> cylindrical([-0.67, -1.38, 0.91]) j4 -> ground;
-    hinge j1 { rest = 0.23 rad; stiffness = 6.44 N*m/rad; armature = 0.54 kg*m^2; friction = 1.2 N*m; friction_speed = 0.7 rad/s; }
-    hinge j2 { stiffness = 5.14 N/m; damping = [1.05, 2.31, 2.68] N*s/m; force = [0.3, 4.1, 1.9] N; turning_stiffness = 19.75 N*m/rad; turning_armature = [0.12, 0.33, 0.72] kg*m^2; turning_friction = [0.3, 0.6, 0.82] N*m; turning_friction_speed = 0.8 rad/s; turning_limits = [-0.5, 0.63] rad; turning_limit_stiffness = 43.8 N*m/rad; torque = [-0.7, -1.2, 0.5] N*m; }
-    hinge j3 { stiffness = 29.51 N*m/rad; damping = 2.85 N*m*s/rad; motion = input; }
-    hinge j4 { turning_stiffness = 28.7 N*m/rad; turning_limits = [-1.18, 0.18] rad; turning_limit_stiffness = 8.2 N*m/rad; turning_limit_damping = 0.56 N*m*s/rad; }
-    load l1 { on = b2; at = [-0.04, 0.58, 0.47] m; force = [-2.9, 2.2, -1.8] N; torque = [-1.0, 2.2, -7.3] N*m; }
-    spring s1 { on = b1; at = [0.0, 0.0, 0.32] m; to = [-1.2, -1.5, 1.1] m; stiffness = 14.4 N/m; }
+    B1 b1 -> floating j1 -> B2 b2 -> gimbal([0.0, 0.0, -1.0], [-0.11, 0.94, -0.91], [-1.0, 0.0, 0.0]) j2 -> B3 b3 -> gimbal([0.0, 0.0, -1.0], [-0.85, 0.0, 0.77], [0.0, -1.0, 0.0]) j3 -> B4 b4 -> floating j4 -> ground;
+    hinge j1 { turning_damping = 0.48 N*m*s/rad; turning_armature = 0.72 kg*m^2; turning_friction = 1.47 N*m; turning_friction_speed = 0.2 rad/s; turning_limits = 0.53 rad; turning_limit_stiffness = 15.5 N*m/rad; motion = input; }
+    hinge j2 { motion = input; }
+    hinge j4 { turning_stiffness = 25.71 N*m/rad; turning_damping = 2.23 N*m*s/rad; turning_armature = 0.34 kg*m^2; motion = input; }
+    load l1 { on = b1; at = output; force = [-3.5, -0.7, -1.6] N; torque = input; axes = body; }
+    spring s1 { on = b2; at = output; to = [1.5, -1.7, -1.3] m; stiffness = 17.2 N/m; damping = 2.01 N*s/m; length = 1.33 m; force = input; }
 }
 }
 
 printed! {
-    Random3R Random3T, Point, energy_with(state, inputs);
+    Random3R Random3T, Point, energy(state);
     inputs |drives| {
-        j1: slider(&drives.motions[0]),
-        j3: drives.efforts[3],
-        j4: vector(&drives.efforts, [4, 5]),
+        j4: vector(&drives.efforts, [11, 12, 13]),
         l1_force: drives.loads[0].force.into(),
-        l1_torque: drives.loads[0].torque.into(),
-        l2_force: drives.loads[1].force.into(),
-        gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
-    springs;
+    springs s1;
 pub chain {
-    gravity = input;
+    gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.55 kg;
-        com = [-0.27, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.29] m turned rpy(0.0, 90.0, 0.0) deg;
-        inertia = tensor(0.320313, 0.355042, 0.370583, -0.029021, 0.022713, 0.023207) kg*m^2 about com;
+        mass = 2.48 kg;
+        com = [0.52, -0.33, 0.38] m;
+        output = [0.0, -0.76, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.17104, 0.202401, 0.182795, -0.000959, 0.000929, -0.006618) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.31 kg;
-        com = [0.47, -0.58, 0.05] m;
-        output = [0.47, 0.08, 0.1] m turned rpy(180.0, 0.0, 0.0) deg;
-        inertia = tensor(0.331348, 0.261525, 0.198297, -0.025655, -0.075286, -0.090217) kg*m^2 about com;
+        mass = 4.08 kg;
+        com = [0.09, -0.4, -0.25] m;
+        output = [-0.27, 0.49, -0.02] m;
+        inertia = diag(0.06765, 0.255369, 0.280709) kg*m^2 about com;
     }
     body B3 {
-        mass = 0.57 kg;
-        com = [0.0, -0.3, 0.0] m;
-        output = [0.0, -0.34, 0.0] m;
-        inertia = tensor(0.050855, 0.02615, 0.038925, -0.004219, -0.000888, 0.017687) kg*m^2 about com;
+        mass = 3.81 kg;
+        com = [0.3, -0.15, 0.42] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = tensor(0.877427, 1.180073, 0.589522, 0.20678, -0.481345, 0.210217) kg*m^2 about input;
     }
-    ground at [-0.88, -0.56, -0.85] m turned rpy(133.1, 15.0, 153.2) deg -> slider([0.2, 0.99, 1.34]) j1 -> B1 b1 -> planar(x) j2 -> B2 b2 -> pin([0.0, 0.0, -1.0]) j3 -> B3 b3 -> planar(x) j4 -> ground at [-1.08, 0.3, -1.18] m turned rpy(-155.0, -50.1, 93.1) deg;
-    hinge j1 { armature = 0.65 kg; limits = [-0.24, 0.49] m; limit_stiffness = 58.9 N/m; motion = input; }
-    hinge j3 { rest = 0.91 rad; stiffness = 22.87 N*m/rad; damping = 2.01 N*m*s/rad; armature = 0.42 kg*m^2; torque = input; }
-    hinge j4 { force = input; torque = -4.0 N*m; }
-    load l1 { on = b1; force = input; torque = input; }
-    load l2 { on = b2; at = output; force = input; }
-    load l3 { on = b3; at = output; torque = [-2.9, 2.4, -6.8] N*m; axes = body; }
+    ground at [0.0, 0.6, 0.0] m turned rpy(180.0, 90.0, -90.0) deg -> gimbal(z, y, [-0.88, 1.32, 1.48]) j1 -> B1 b1 -> universal([-0.71, -1.14, 1.4], [1.1, -0.53, 0.78]) j2 -> B2 b2 -> floating j3 -> B3 b3 -> gimbal(z, y, [0.4, -0.56, 0.56]) j4 -> ground at [-0.31, -0.17, -0.32] m turned rpy(-127.2, -39.2, 17.2) deg;
+    hinge j1 { stiffness = [36.21, 30.04, 3.1] N*m/rad; damping = 0.47 N*m*s/rad; armature = [0.41, 0.66, 0.3] kg*m^2; friction = [0.37, 0.35, 1.14] N*m; friction_speed = 0.7 rad/s; }
+    hinge j2 { friction = [0.63, 0.66] N*m; friction_speed = 0.1 rad/s; }
+    hinge j3 { rest = [0.25, -0.02, -0.18] m turned quaternion(0.11, 0.45, -0.01, 0.19); stiffness = 33.04 N/m; armature = [0.52, 0.22, 0.16] kg; friction = [1.99, 0.98, 0.21] N; friction_speed = 0.3 m/s; limits = [-0.35, 1.13] m; limit_stiffness = 43.9 N/m; limit_damping = 1.83 N*s/m; force = [-0.4, 1.5, 2.3] N; torque = [0.1, 3.7, -0.5] N*m; }
+    hinge j4 { stiffness = 11.59 N*m/rad; damping = [1.16, 2.76, 2.85] N*m*s/rad; limits = [-0.29, 0.32] rad; limit_stiffness = 50.4 N*m/rad; limit_damping = 1.02 N*m*s/rad; torque = input; }
+    load l1 { on = b1; at = [0.0, 0.0, 0.0] m; force = input; torque = [4.0, -6.6, 4.7] N*m; axes = body; }
+    load l2 { on = b2; at = input; torque = [-5.2, -4.6, -4.2] N*m; }
+    spring s1 { on = b1; at = input; to = [1.9, 0.2, 1.5] m; stiffness = 13.9 N/m; force = -1.9 N; }
 }
 }
 
@@ -170,20 +165,20 @@ printed! {
     Random5R Random5T, Point, energy_with(state, inputs);
     inputs |drives| {
         tip: space_frame(&drives.finish),
-        j1: drives.efforts[0],
+        j1: vector(&drives.efforts, [0, 1]),
     }
     hinges j1;
     springs;
 pub chain {
-    gravity = [-1.42, 3.23, 4.96] m/s^2;
+    gravity = [0.0, 0.0, -9.81] m/s^2;
     body B1 {
         mass = 2.06 kg;
         com = [0.0, 0.15, 0.0] m;
         output = [-0.18, 0.25, -0.12] m;
         inertia = tensor(0.240263, 0.242453, 0.228241, -0.039251, -0.034734, 0.036592) kg*m^2 about com;
     }
-    B1 b1 -> slider([0.0, -1.0, 0.0]) j1 -> moving tip;
-    hinge j1 { force = input; }
+    B1 b1 -> universal([0.0, -1.0, 0.0], [-1.0, 0.0, 0.0]) j1 -> moving tip;
+    hinge j1 { torque = input; }
 }
 }
 
@@ -239,48 +234,38 @@ printed! {
     Random7R Random7T, Point, energy_with(state, inputs);
     inputs |drives| {
         base: space_frame(&drives.start),
-        j1: planar(&drives.motions[0]),
-        j3: drives.efforts[6],
-        l1_force: drives.loads[0].force.into(),
+        j1: screw(&drives.motions[0]),
+        j3: vector(&drives.efforts, [4, 5, 6]),
         l1_torque: drives.loads[0].torque.into(),
-        l2_force: drives.loads[1].force.into(),
-        l3_force: drives.loads[2].force.into(),
-        s2_force: drives.springs[1],
-        gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4;
-    springs s1 s2;
+    springs s1;
 pub chain {
-    gravity = input;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.0 kg;
-        com = [0.0, 0.0, 0.33] m;
-        output = [0.0, -1.16, 0.0] m turned rpy(-62.5, 42.9, 92.6) deg;
-        inertia = tensor(0.07606, 0.087806, 0.055266, -0.017039, 0.005681, 0.003535) kg*m^2 about com;
-        point p1 = [0.37, 0.0, 0.0] m;
+        mass = 1.77 kg;
+        com = [0.0, 0.34, 0.0] m;
+        output = [0.67, 0.94, -0.08] m turned rpy(-90.0, 180.0, -90.0) deg;
+        inertia = diag(0.041176, 0.039838, 0.072855) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.17 kg;
-        com = [0.2, -0.17, -0.52] m;
-        output = [-0.67, 0.0, -0.39] m turned rpy(-46.6, 134.7, -35.4) deg;
-        inertia = tensor(0.32605, 0.303742, 0.403073, 0.018258, -0.06587, -0.041593) kg*m^2 about com;
-        point p2 = [0.0, 0.0, 0.0] m;
+        mass = 1.92 kg;
+        com = [0.0, -0.16, 0.0] m;
+        output = [0.0, 0.92, 0.0] m turned rpy(-143.8, 123.6, -101.0) deg;
+        inertia = tensor(0.026024, 0.025515, 0.022132, 0.000343, -0.000851, 0.001615) kg*m^2 about com;
     }
     body B3 {
-        mass = 1.42 kg;
-        com = [0.0, 0.0, -0.32] m;
-        output = [0.0, -1.08, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
-        inertia = tensor(0.289204, 0.276163, 0.133193, 0.008687, -0.00133, 0.010244) kg*m^2 about input;
+        mass = 4.72 kg;
+        com = [-0.39, 0.0, 0.0] m;
+        output = [-0.81, 0.0, 0.0] m;
+        inertia = diag(0.075798, 0.264449, 0.232263) kg*m^2 about com;
     }
-    moving base -> planar(x) j1 -> B1 b1 -> elastic j2 -> B2 b2 -> screw(z, 0.47 m/rad) j3 -> B3 b3 -> pin([0.92, -1.48, -0.47]) j4 -> ground;
-    hinge j1 { turning_stiffness = 25.92 N*m/rad; turning_damping = 1.85 N*m*s/rad; turning_limits = [-0.57, 1.02] rad; turning_limit_stiffness = 42.6 N*m/rad; motion = input; }
-    hinge j2 { rest = [-0.04, -0.18, 0.13] m turned rpy(0.02, -0.18, -1.49) rad; force = [1.4, 4.2, -1.2] N; turning_stiffness = [25.52, 34.81, 30.38] N*m/rad; turning_damping = [2.65, 1.88, 1.37] N*m*s/rad; turning_armature = [0.72, 0.63, 0.07] kg*m^2; torque = [-4.6, -1.8, 0.3] N*m; }
-    hinge j3 { rest = -0.04 rad; stiffness = 17.66 N*m/rad; damping = 1.34 N*m*s/rad; torque = input; }
-    load l1 { on = b1; at = p1; force = input; torque = input; axes = body; }
-    load l2 { on = b2; force = input; }
-    load l3 { on = b3; at = [0.0, 0.0, 0.5] m; force = input; }
-    spring s1 { on = b1; at = com; to = [1.0, -0.8, -0.4] m; stiffness = 10.2 N/m; }
-    spring s2 { on = b2; at = p2; to = [-0.8, 0.1, 1.2] m; stiffness = 36.6 N/m; force = input; }
+    moving base -> screw([-1.0, 0.0, 0.0], 0.2 m/rad) j1 -> B1 b1 -> slider([-1.24, 0.49, 0.44]) j2 -> B2 b2 -> elastic j3 -> B3 b3 -> planar(x) j4 -> ground;
+    hinge j1 { stiffness = 18.04 N*m/rad; damping = 2.36 N*m*s/rad; friction = 0.34 N*m; friction_speed = 1.0 rad/s; motion = input; }
+    hinge j3 { stiffness = [36.54, 1.48, 10.18] N/m; damping = [2.36, 1.39, 0.16] N*s/m; friction = 1.96 N; friction_speed = 0.2 m/s; force = [3.0, -1.0, -1.6] N; turning_limits = [-0.59, 0.52] rad; turning_limit_stiffness = 41.2 N*m/rad; turning_limit_damping = 1.91 N*m*s/rad; torque = input; }
+    hinge j4 { force = [-1.2, -4.0] N; turning_limits = [-1.12, 0.46] rad; turning_limit_stiffness = 20.4 N*m/rad; turning_limit_damping = 0.71 N*m*s/rad; torque = 0.5 N*m; }
+    load l1 { on = b3; force = [-6.4, 6.6, 5.6] N; torque = input; }
+    spring s1 { on = b1; at = input; to = [-0.5, 1.0, 1.4] m; stiffness = 11.1 N/m; damping = 2.24 N*s/m; force = -2.2 N; }
 }
 }
 
@@ -289,39 +274,41 @@ printed! {
     inputs |drives| {
         base: space_frame(&drives.start),
         tip: space_frame(&drives.finish),
-        l1_torque: drives.loads[0].torque.into(),
+        j1: drives.efforts[0],
+        j2: vector(&drives.efforts, [4, 5, 6]),
     }
     hinges j1 j2 j3;
     springs s1;
 pub chain {
-    gravity = [0.0, 0.0, 0.0] m/s^2;
+    gravity = [0.0, -9.8, 0.0] m/s^2;
     body B1 {
-        mass = 4.42 kg;
-        com = [-0.33, 0.05, -0.2] m;
-        output = [0.03, 1.04, -0.17] m turned rpy(0.0, -90.0, 180.0) deg;
-        inertia = tensor(0.616353, 0.89289, 0.847609, 0.097777, -0.309886, -0.081683) kg*m^2 about input;
+        mass = 3.75 kg;
+        com = [0.0, 0.0, 0.44] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-131.7, -53.9, -35.3) deg;
+        inertia = tensor(0.062953, 0.041717, 0.038316, -0.000382, -0.005879, 0.001067) kg*m^2 about com;
+        point p1 = [0.02, 0.44, 0.15] m;
     }
     body B2 {
-        mass = 4.85 kg;
-        com = [-0.48, -0.22, -0.29] m;
-        output = [0.0, 0.0, 0.74] m;
-        inertia = tensor(0.954435, 2.029163, 1.707584, -0.51216, -0.67512, -0.30943) kg*m^2 about input;
+        mass = 0.49 kg;
+        com = [0.14, -0.59, 0.52] m;
+        output = [-0.01, 1.02, 1.06] m turned rpy(180.0, -90.0, 0.0) deg;
+        inertia = diag(0.045512, 0.054019, 0.066345) kg*m^2 about com;
     }
-    moving base -> elastic j1 -> B1 b1 -> floating j2 -> B2 b2 -> planar(z) j3 -> moving tip;
-    hinge j2 { rest = [0.01, 0.15, -0.08] m turned quaternion(-0.49, 0.04, 0.05, -0.07); stiffness = [29.71, 9.74, 15.5] N/m; damping = 1.07 N*s/m; armature = 0.29 kg; friction = 0.45 N; friction_speed = 0.9 m/s; limits = [-1.15, 0.61] m; limit_stiffness = 35.9 N/m; }
-    load l1 { on = b2; at = [-0.4, -0.26, 0.84] m; torque = input; axes = body; }
-    spring s1 { on = b2; at = [0.0, 0.0, 0.57] m; to = [1.8, -0.6, -0.2] m; stiffness = 2.9 N/m; length = 0.48 m; force = -7.7 N; }
+    moving base -> slider([0.85, -0.62, 0.6]) j1 -> B1 b1 -> floating j2 -> B2 b2 -> ball j3 -> moving tip;
+    hinge j1 { damping = 1.66 N*s/m; friction = 1.87 N; friction_speed = 0.8 m/s; force = input; }
+    hinge j2 { rest = [0.22, 0.22, -0.03] m turned quaternion(-0.02, -0.13, -0.45, -0.17); stiffness = 8.05 N/m; damping = 0.61 N*s/m; limits = [-1.17, 1.07] m; limit_stiffness = 45.7 N/m; force = [-1.4, -2.6, 0.2] N; turning_damping = 1.19 N*m*s/rad; torque = input; }
+    hinge j3 { rest = quaternion(0.42, 0.13, 0.2, 0.15); stiffness = 24.23 N*m/rad; damping = 0.55 N*m*s/rad; friction = 1.47 N*m; friction_speed = 0.3 rad/s; limits = 1.64 rad; limit_stiffness = 45.3 N*m/rad; limit_damping = 0.83 N*m*s/rad; }
+    spring s1 { on = b1; at = p1; to = [0.4, -1.5, 1.7] m; stiffness = 24.5 N/m; force = 7.3 N; }
 }
 }
 
 printed! {
-    Random9R Random9T, Point, energy_with(state, inputs);
+    Random9R Random9T, Point, energy(state);
     inputs |drives| {
-        j1: floating(&drives.motions[0]),
-        s1_force: drives.springs[0],
+        l1_torque: drives.loads[0].torque.into(),
     }
     hinges j1;
-    springs s1;
+    springs;
 pub chain {
     gravity = [4.24, -4.72, 5.03] m/s^2;
     body B1 {
@@ -330,21 +317,24 @@ pub chain {
         output = [0.22, -0.68, 1.17] m;
         inertia = tensor(0.141835, 0.059633, 0.105399, 0.003533, -0.007862, -0.015581) kg*m^2 about com;
     }
-    ground -> floating j1 -> B1 b1;
-    hinge j1 { motion = input; }
-    spring s1 { on = b1; at = com; to = [-0.3, -1.8, 0.7] m; stiffness = 33.3 N/m; damping = 0.43 N*s/m; length = 0.2 m; force = input; }
+    ground -> ball j1 -> B1 b1;
+    load l1 { on = b1; torque = input; axes = body; }
 }
 }
 
 printed! {
-    Random10R Random10T, Point, energy(state);
+    Random10R Random10T, Point, energy_with(state, inputs);
     inputs |drives| {
-        j2: drives.efforts[7],
+        j1: floating(&drives.motions[0]),
+        j3: vector(&drives.efforts, [12, 13]),
         l1_force: drives.loads[0].force.into(),
+        l2_force: drives.loads[1].force.into(),
+        l3_torque: drives.loads[2].torque.into(),
+        s1_force: drives.springs[0],
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3;
-    springs s1;
+    springs s1 s2 s3;
 pub chain {
     gravity = input;
     body B1 {
@@ -354,28 +344,36 @@ pub chain {
         inertia = diag(0.101873, 0.028786, 0.122736) kg*m^2 about input;
     }
     body B2 {
-        mass = 4.83 kg;
-        com = [-0.11, -0.04, -0.44] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(103.6, -53.7, -38.7) deg;
-        inertia = tensor(0.347417, 0.174545, 0.205252, 0.012882, -0.018217, -0.017864) kg*m^2 about com;
+        mass = 4.63 kg;
+        com = [0.17, 0.0, 0.0] m;
+        output = [0.69, -0.36, -0.26] m turned rpy(90.0, 0.0, 0.0) deg;
+        inertia = diag(0.110841, 0.235404, 0.279414) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.27 kg;
-        com = [0.0, 0.0, -0.19] m;
-        output = [0.0, 0.0, 0.41] m turned rpy(133.8, 37.2, -174.4) deg;
-        inertia = diag(0.311045, 0.25829, 0.253965) kg*m^2 about input;
+        mass = 0.93 kg;
+        com = [0.39, -0.48, -0.51] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-6.8, 66.9, -65.8) deg;
+        inertia = diag(0.01448, 0.044807, 0.040542) kg*m^2 about com;
+        point p1 = [0.0, 0.66, 0.0] m;
     }
     body B4 {
-        mass = 1.82 kg;
-        com = [-0.24, 0.0, 0.0] m;
-        output = [-0.99, -0.16, -0.04] m turned rpy(-135.7, -61.3, 142.5) deg;
-        inertia = tensor(0.090467, 0.028015, 0.078727, 0.006765, -0.000857, -0.015329) kg*m^2 about com;
+        mass = 2.91 kg;
+        com = [0.0, -0.21, 0.0] m;
+        output = [0.0, 0.15, 0.0] m turned rpy(-148.2, -24.7, -6.5) deg;
+        inertia = diag(0.135666, 0.147388, 0.26152) kg*m^2 about com;
+        point p2 = [0.0, 0.0, 0.0] m;
+        point p3 = [0.0, 0.0, 0.73] m;
     }
-    B1 b1 -> pin(z) j1 -> B2 b2 -> slider([-0.1, 1.03, 0.0]) j2 -> B3 b3 -> elastic j3 -> B4 b4;
-    hinge j1 { rest = 1.2 rad; stiffness = 14.47 N*m/rad; damping = 2.95 N*m*s/rad; friction = 1.88 N*m; friction_speed = 0.9 rad/s; limits = [-0.33, 0.7] rad; limit_stiffness = 9.5 N*m/rad; }
-    hinge j2 { force = input; }
-    load l1 { on = b1; at = input; force = input; }
-    spring s1 { on = b3; at = com; to = [0.2, -0.1, 0.1] m; stiffness = 10.3 N/m; damping = 2.63 N*s/m; }
+    B1 b1 -> floating j1 -> B2 b2 -> floating j2 -> B3 b3 -> universal([0.5, 1.04, -1.3], x) j3 -> B4 b4;
+    hinge j1 { rest = [-0.15, 0.02, 0.03] m turned quaternion(0.49, 0.09, -0.04, 0.03); limits = [-1.09, 1.2] m; limit_stiffness = 34.1 N/m; turning_stiffness = 38.7 N*m/rad; turning_damping = 1.5 N*m*s/rad; motion = input; }
+    hinge j2 { rest = [-0.01, 0.28, -0.16] m turned quaternion(-0.44, 0.02, 0.23, -0.01); stiffness = 6.1 N/m; limits = [-0.76, 0.36] m; limit_stiffness = 43.5 N/m; }
+    hinge j3 { limits = [-0.67, 0.63] rad; limit_stiffness = 30.2 N*m/rad; torque = input; }
+    load l1 { on = b1; force = input; }
+    load l2 { on = b2; at = [0.4, 0.13, 0.18] m; force = input; }
+    load l3 { on = b4; at = p2; torque = input; }
+    spring s1 { on = b2; at = com; to = [-0.1, 0.4, 1.8] m; stiffness = 5.5 N/m; damping = 2.68 N*s/m; force = input; }
+    spring s2 { on = b3; at = p1; to = [-0.7, -1.4, -0.3] m; stiffness = 30.8 N/m; }
+    spring s3 { on = b4; at = p3; to = [-0.6, 0.0, 1.4] m; stiffness = 32.7 N/m; length = 0.24 m; }
 }
 }
 
@@ -417,31 +415,27 @@ pub plane chain {
 printed! {
     Random12R Random12T, Point, energy(state);
     inputs |drives| {
-        l1_force: drives.loads[0].force.into(),
-        gravity: drives.gravity.into(),
+        j1: vector(&drives.efforts, [0, 1]),
     }
     hinges j1 j2 j3;
-    springs s1;
+    springs;
 pub chain {
-    gravity = input;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 4.7 kg;
-        com = [0.3, 0.38, 0.39] m;
-        output = [0.3, -0.49, 0.86] m;
-        inertia = tensor(1.910785, 1.727608, 1.64419, -0.492705, -0.493792, -0.696051) kg*m^2 about input;
-        point p1 = [0.7, -0.29, 0.77] m;
+        mass = 1.17 kg;
+        com = [0.0, -0.25, 0.0] m;
+        output = [0.0, 1.18, 0.0] m turned rpy(-90.0, 180.0, 90.0) deg;
+        inertia = tensor(0.096153, 0.091771, 0.075632, -0.001911, -0.002534, -0.016239) kg*m^2 about com;
     }
     body B2 {
-        mass = 1.0 kg;
-        com = [-0.46, 0.0, 0.0] m;
-        output = [0.75, -1.08, 0.13] m;
-        inertia = diag(0.08422, 0.149382, 0.076535) kg*m^2 about com;
+        mass = 4.12 kg;
+        com = [0.0, 0.14, 0.0] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = diag(0.173996, 0.249429, 0.28311) kg*m^2 about com;
     }
-    ground at [0.0, 0.0, 0.27] m -> ball j1 -> B1 b1 -> floating j2 -> B2 b2 -> cylindrical(y) j3 -> ground at [-2.09, 0.26, -1.19] m turned rpy(28.2, 44.5, -33.0) deg;
-    hinge j1 { torque = [4.3, 4.6, 2.3] N*m; }
-    hinge j2 { turning_stiffness = 21.71 N*m/rad; turning_damping = 0.88 N*m*s/rad; }
-    load l1 { on = b2; at = output; force = input; axes = body; }
-    spring s1 { on = b1; at = p1; to = [1.2, -1.3, 0.4] m; stiffness = 25.0 N/m; force = 4.9 N; }
+    ground -> planar(z) j1 -> B1 b1 -> floating j2 -> B2 b2 -> ball j3 -> ground at [0.41, -1.77, 0.54] m turned rpy(177.0, -22.4, -50.7) deg;
+    hinge j1 { stiffness = [11.61, 7.57] N/m; armature = 0.17 kg; friction = 1.0 N; friction_speed = 0.7 m/s; limits = [-0.18, 1.0] m; limit_stiffness = 23.5 N/m; force = input; turning_damping = 1.02 N*m*s/rad; turning_limits = [-0.12, 0.61] rad; turning_limit_stiffness = 25.7 N*m/rad; torque = -1.3 N*m; }
+    hinge j2 { turning_damping = 2.45 N*m*s/rad; turning_armature = 0.35 kg*m^2; turning_friction = 0.39 N*m; turning_friction_speed = 0.2 rad/s; }
 }
 }
 
@@ -449,9 +443,10 @@ printed! {
     Random13R Random13T, Point, energy_with(state, inputs);
     inputs |drives| {
         base: space_frame(&drives.start),
+        j1: pin(&drives.motions[0]),
     }
     hinges j1;
-    springs;
+    springs s1;
 pub chain {
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
@@ -460,8 +455,9 @@ pub chain {
         output = [0.0, -1.16, 0.0] m turned rpy(90.0, 0.0, 0.0) deg;
         inertia = diag(0.174272, 0.219177, 0.082276) kg*m^2 about com;
     }
-    moving base -> cylindrical(y) j1 -> B1 b1;
-    hinge j1 { rest = 0.43 m turned -1.25 rad; stiffness = 14.7 N/m; damping = 0.59 N*s/m; friction = 1.35 N; friction_speed = 0.9 m/s; }
+    moving base -> pin(y) j1 -> B1 b1;
+    hinge j1 { stiffness = 14.7 N*m/rad; damping = 0.59 N*m*s/rad; friction = 1.35 N*m; friction_speed = 0.9 rad/s; motion = input; }
+    spring s1 { on = b1; at = [0.22, -0.24, 0.22] m; to = [0.9, 1.4, -0.5] m; stiffness = 5.3 N/m; damping = 1.87 N*s/m; length = 0.46 m; }
 }
 }
 
@@ -511,39 +507,40 @@ printed! {
     Random15R Random15T, Point, energy_with(state, inputs);
     inputs |drives| {
         tip: space_frame(&drives.finish),
-        j3: drives.efforts[2],
-        j4: vector(&drives.efforts, [3, 4]),
+        j2: vector(&drives.efforts, [3, 4]),
+        j4: vector(&drives.efforts, [8, 9, 10, 11, 12, 13]),
+        l1_force: drives.loads[0].force.into(),
+        s1_force: drives.springs[0],
     }
     hinges j1 j2 j3 j4;
     springs s1;
 pub chain {
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 1.04 kg;
-        com = [0.16, 0.0, 0.0] m;
-        output = [0.47, -0.66, -0.19] m turned rpy(-90.0, 0.0, 0.0) deg;
-        inertia = diag(0.020298, 0.016648, 0.03446) kg*m^2 about com;
-        point p1 = [0.96, 0.0, 0.0] m;
+        mass = 2.08 kg;
+        com = [-0.33, -0.09, 0.17] m;
+        output = [0.15, -0.2, -0.34] m turned rpy(0.0, -90.0, 0.0) deg;
+        inertia = tensor(0.201407, 0.195046, 0.185962, 0.003233, 0.000927, 0.007153) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.21 kg;
-        com = [0.0, 0.17, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(60.9, -103.0, 119.9) deg;
-        inertia = tensor(0.292099, 0.249111, 0.189007, -0.023108, 0.034611, -0.07482) kg*m^2 about com;
+        mass = 1.96 kg;
+        com = [0.45, 0.04, -0.24] m;
+        output = [-1.04, 0.0, 0.0] m;
+        inertia = tensor(0.062364, 0.040723, 0.03609, 0.007174, 0.000837, 0.020142) kg*m^2 about com;
     }
     body B3 {
-        mass = 2.67 kg;
-        com = [-0.53, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(90.0, 180.0, 180.0) deg;
-        inertia = tensor(0.195129, 0.265152, 0.177625, 0.034469, 0.005803, 0.022862) kg*m^2 about com;
+        mass = 4.53 kg;
+        com = [0.2, 0.01, -0.11] m;
+        output = [0.0, 0.0, -0.41] m;
+        inertia = tensor(0.28448, 0.267165, 0.40873, -0.00906, 0.09966, 0.004983) kg*m^2 about input;
     }
-    ground at [0.0, 0.0, 1.76] m turned rpy(90.0, 0.0, 0.0) deg -> pin([0.4, -1.38, 1.17]) j1 -> B1 b1 -> slider([0.0, -1.0, 0.0]) j2 -> B2 b2 -> screw([0.85, 0.65, -1.29], -0.59 m/rad) j3 -> B3 b3 -> planar(z) j4 -> moving tip;
-    hinge j1 { stiffness = 20.48 N*m/rad; damping = 2.32 N*m*s/rad; armature = 0.66 kg*m^2; }
-    hinge j2 { rest = -0.04 m; stiffness = 39.12 N/m; limits = [-0.2, 0.83] m; limit_stiffness = 27.7 N/m; }
-    hinge j3 { damping = 0.45 N*m*s/rad; armature = 0.11 kg*m^2; torque = input; }
-    hinge j4 { armature = 0.29 kg; limits = [-0.75, 0.33] m; limit_stiffness = 20.9 N/m; limit_damping = 1.36 N*s/m; force = input; torque = -3.6 N*m; }
-    load l1 { on = b1; at = p1; force = [4.4, -6.7, -2.0] N; }
-    spring s1 { on = b1; at = input; to = [1.9, 1.6, 1.2] m; stiffness = 28.6 N/m; damping = 2.88 N*s/m; length = 0.76 m; }
+    ground -> gimbal([0.4, -1.38, 1.17], z, x) j1 -> B1 b1 -> universal([0.0, -0.4, -1.13], [0.0, -1.0, 0.58]) j2 -> B2 b2 -> gimbal([-1.05, 0.22, 0.94], [-1.08, 0.18, -0.88], [1.09, 1.44, 0.76]) j3 -> B3 b3 -> elastic j4 -> moving tip;
+    hinge j1 { armature = 0.29 kg*m^2; limits = [-0.75, 0.33] rad; limit_stiffness = 20.9 N*m/rad; limit_damping = 1.36 N*m*s/rad; }
+    hinge j2 { rest = [-1.47, -1.46] rad; stiffness = 2.38 N*m/rad; damping = 2.47 N*m*s/rad; armature = 0.61 kg*m^2; torque = input; }
+    hinge j3 { torque = [4.8, 3.9, 1.8] N*m; }
+    hinge j4 { rest = [-0.19, 0.02, -0.22] m turned rpy(-0.21, -0.08, 1.22) rad; stiffness = 12.67 N/m; limits = [-1.07, 0.33] m; limit_stiffness = 30.4 N/m; limit_damping = 0.76 N*s/m; force = input; turning_friction = [1.72, 1.47, 1.48] N*m; turning_friction_speed = 0.1 rad/s; torque = input; }
+    load l1 { on = b3; force = input; torque = [4.9, 6.4, -1.3] N*m; }
+    spring s1 { on = b3; at = com; to = [-1.8, -1.6, -0.4] m; stiffness = 33.5 N/m; force = input; }
 }
 }
 
@@ -586,75 +583,74 @@ printed! {
     inputs |drives| {
         base: space_frame(&drives.start),
         tip: space_frame(&drives.finish),
-        j1: vector(&drives.efforts, [0, 1, 2]),
-        j2: vector(&drives.efforts, [6, 7, 8, 9, 10, 11]),
-        l1_torque: drives.loads[0].torque.into(),
+        s1_force: drives.springs[0],
     }
     hinges j1 j2;
-    springs;
+    springs s1;
 pub chain {
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.34 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.19, 0.0, 0.0] m turned rpy(180.0, 0.0, 0.0) deg;
-        inertia = diag(0.164277, 0.018353, 0.158508) kg*m^2 about input;
+        mass = 2.86 kg;
+        com = [-0.37, 0.11, 0.38] m;
+        output = [0.0, 0.0, -0.61] m turned rpy(107.9, 59.6, 107.5) deg;
+        inertia = tensor(0.689487, 0.951504, 0.566544, 0.085053, 0.401823, -0.204872) kg*m^2 about input;
+        point p1 = [0.31, 0.0, 0.0] m;
     }
-    moving base -> elastic j1 -> B1 b1 -> elastic j2 -> moving tip;
-    hinge j1 { force = input; torque = [-4.8, -4.2, -4.7] N*m; }
-    hinge j2 { rest = [0.22, 0.05, -0.15] m turned rpy(-0.19, -0.2, -1.45) rad; armature = [0.65, 0.14, 0.73] kg; friction = [0.18, 1.09, 0.42] N; friction_speed = 0.6 m/s; force = input; turning_stiffness = [9.16, 14.86, 9.92] N*m/rad; turning_limits = [-1.01, 0.6] rad; turning_limit_stiffness = 57.9 N*m/rad; torque = input; }
-    load l1 { on = b1; at = output; torque = input; }
+    moving base -> screw(y, 0.3 m/rad) j1 -> B1 b1 -> floating j2 -> moving tip;
+    hinge j1 { rest = 0.18 rad; stiffness = 7.53 N*m/rad; damping = 1.95 N*m*s/rad; limits = [-0.13, 1.14] rad; limit_stiffness = 10.4 N*m/rad; }
+    hinge j2 { turning_stiffness = 7.94 N*m/rad; turning_limits = 0.79 rad; turning_limit_stiffness = 34.0 N*m/rad; }
+    spring s1 { on = b1; at = p1; to = [0.2, -1.3, 1.9] m; stiffness = 21.3 N/m; damping = 1.03 N*s/m; length = 1.49 m; force = input; }
 }
 }
 
 printed! {
     Random18R Random18T, Point, energy_with(state, inputs);
     inputs |drives| {
-        j3: ball(&drives.motions[0]),
-        j2: drives.efforts[2],
-        gravity: drives.gravity.into(),
+        j2: gimbal(&drives.motions[0]),
+        j4: vector(&drives.efforts, [6, 7, 8]),
+        l2_torque: drives.loads[1].torque.into(),
     }
     hinges j1 j2 j3 j4;
     springs;
 pub chain {
-    gravity = input;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 3.63 kg;
-        com = [-0.45, 0.5, 0.58] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(130.6, 118.2, -170.6) deg;
-        inertia = tensor(0.046334, 0.037889, 0.043131, 0.011128, -0.003501, -0.006145) kg*m^2 about com;
+        mass = 2.27 kg;
+        com = [0.0, 0.0, -0.56] m;
+        output = [-0.26, 0.87, 0.79] m;
+        inertia = tensor(0.028975, 0.023694, 0.026972, 0.006959, -0.00219, -0.003842) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.15 kg;
+        mass = 4.51 kg;
         com = [0.0, 0.0, 0.0] m;
-        output = [-0.83, 0.0, 0.0] m turned rpy(-90.0, 90.0, -90.0) deg;
-        inertia = diag(0.133447, 0.140788, 0.019084) kg*m^2 about com;
+        output = [0.0, 0.0, 0.14] m;
+        inertia = tensor(0.280288, 0.23682, 0.182324, 0.042565, 0.045355, -0.128927) kg*m^2 about com;
     }
     body B3 {
-        mass = 4.35 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.46, 0.0, 0.0] m;
-        inertia = tensor(0.346324, 0.269938, 0.353471, 0.067802, -0.034108, 0.078909) kg*m^2 about com;
+        mass = 0.43 kg;
+        com = [0.57, -0.32, -0.17] m;
+        output = [0.87, 0.0, 0.0] m;
+        inertia = diag(0.033546, 0.030003, 0.012152) kg*m^2 about com;
     }
     body B4 {
-        mass = 0.23 kg;
-        com = [-0.3, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 90.0, 0.0) deg;
-        inertia = tensor(0.004143, 0.002774, 0.004038, -0.000883, 0.000728, 0.000204) kg*m^2 about com;
+        mass = 0.56 kg;
+        com = [0.26, 0.1, 0.14] m;
+        output = [0.93, 0.03, -0.64] m turned rpy(90.0, 180.0, 0.0) deg;
+        inertia = tensor(0.064569, 0.08827, 0.121837, -0.01456, -0.020384, -0.00784) kg*m^2 about input;
     }
-    ground at [1.07, 0.0, 0.0] m -> weld j1 -> B1 b1 -> planar(z) j2 -> B2 b2 -> ball j3 -> B3 b3 -> universal(z, [0.43, 0.69, -1.08]) j4 -> B4 b4;
-    hinge j2 { force = [0.9, -0.5] N; torque = input; }
-    hinge j3 { rest = quaternion(-0.46, -0.12, 0.03, 0.16); stiffness = 4.96 N*m/rad; damping = 1.1 N*m*s/rad; motion = input; }
-    hinge j4 { rest = [-1.16, -1.21] rad; stiffness = [24.12, 38.14] N*m/rad; damping = 0.43 N*m*s/rad; friction = [0.31, 0.45] N*m; friction_speed = 0.6 rad/s; }
-    load l1 { on = b3; at = [0.81, -0.66, 0.13] m; torque = [6.7, 4.4, -7.6] N*m; }
+    ground -> ball j1 -> B1 b1 -> gimbal(x, y, [-0.72, 0.0, -0.69]) j2 -> B2 b2 -> planar(x) j3 -> B3 b3 -> gimbal([0.17, 0.69, 0.25], x, [0.92, -1.05, -0.56]) j4 -> B4 b4;
+    hinge j2 { motion = input; }
+    hinge j3 { turning_stiffness = 16.2 N*m/rad; turning_friction = 0.49 N*m; turning_friction_speed = 0.8 rad/s; turning_limits = [-0.43, 1.11] rad; turning_limit_stiffness = 6.4 N*m/rad; }
+    hinge j4 { rest = [-1.21, 1.04, 0.7] rad; stiffness = [24.12, 38.14, 6.78] N*m/rad; damping = 2.89 N*m*s/rad; armature = [0.13, 0.19, 0.49] kg*m^2; torque = input; }
+    load l1 { on = b1; force = [1.9, 0.0, -7.2] N; axes = body; }
+    load l2 { on = b4; at = [0.0, 0.0, 0.0] m; force = [1.1, -3.2, -1.8] N; torque = input; }
 }
 }
 
 printed! {
     Random19R Random19T, Point, energy_with(state, inputs);
     inputs |drives| {
-        j1: cylindrical(&drives.motions[0]),
-        j2: planar(&drives.motions[1]),
+        j1: floating(&drives.motions[0]),
         gravity: drives.gravity.into(),
     }
     hinges j1 j2;
@@ -668,28 +664,26 @@ pub chain {
         inertia = tensor(0.418261, 0.455826, 0.442714, -0.010882, -0.004231, -0.001762) kg*m^2 about com;
     }
     body B2 {
-        mass = 1.98 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.96, -0.18, 0.57] m turned rpy(90.0, -90.0, 0.0) deg;
-        inertia = diag(0.124576, 0.261144, 0.166563) kg*m^2 about input;
+        mass = 2.22 kg;
+        com = [0.0, 0.0, -0.31] m;
+        output = [0.0, 0.0, -0.53] m turned rpy(90.0, 180.0, 180.0) deg;
+        inertia = tensor(0.327072, 0.42183, 0.127328, -0.007, -0.045251, 0.002489) kg*m^2 about input;
     }
     body B3 {
-        mass = 1.2 kg;
-        com = [0.03, 0.4, 0.28] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.333603, 0.175121, 0.251221, -0.027798, -0.016783, -0.135778) kg*m^2 about input;
+        mass = 1.66 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.34, -0.78, -1.15] m turned rpy(0.0, 90.0, 90.0) deg;
+        inertia = diag(0.092487, 0.092949, 0.012032) kg*m^2 about input;
     }
-    B1 b1 -> cylindrical([0.0, 0.0, -1.0]) j1 -> B2 b2 -> planar(x) j2 -> B3 b3;
-    hinge j1 { rest = 0.32 m turned -0.75 rad; stiffness = 19.47 N/m; damping = 2.56 N*s/m; limits = [-1.03, 0.69] m; limit_stiffness = 22.7 N/m; limit_damping = 1.59 N*s/m; motion = input; }
-    hinge j2 { rest = [0.28, 0.03] m turned 1.25 rad; stiffness = [17.27, 18.0] N/m; turning_stiffness = 4.39 N*m/rad; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.19 kg*m^2; turning_limits = [-0.95, 0.21] rad; turning_limit_stiffness = 13.9 N*m/rad; motion = input; }
-    spring s1 { on = b2; at = [0.24, 0.0, 0.0] m; to = [0.0, -0.5, -1.4] m; stiffness = 24.0 N/m; damping = 0.21 N*s/m; length = 0.21 m; }
+    B1 b1 -> floating j1 -> B2 b2 -> screw([0.0, 0.0, -1.0], 0.54 m/rad) j2 -> B3 b3;
+    hinge j1 { rest = [0.0, -0.44, -0.34] m turned quaternion(-0.06, 0.4, -0.01, -0.3); damping = 1.12 N*s/m; turning_stiffness = 1.56 N*m/rad; turning_armature = 0.34 kg*m^2; turning_limits = 0.7 rad; turning_limit_stiffness = 23.3 N*m/rad; motion = input; }
+    spring s1 { on = b2; at = output; to = [-1.7, -1.7, -2.0] m; stiffness = 19.3 N/m; length = 0.71 m; }
 }
 }
 
 printed! {
-    Random20R Random20T, Point, energy_with(state, inputs);
+    Random20R Random20T, Point, energy(state);
     inputs |drives| {
-        j2: ball(&drives.motions[0]),
         l1_torque: drives.loads[0].torque.into(),
     }
     hinges j1 j2;
@@ -709,9 +703,9 @@ pub chain {
         inertia = tensor(0.826362, 0.321984, 0.718501, 0.213875, -0.10875, 0.25665) kg*m^2 about input;
         point p1 = [0.68, -0.61, 0.34] m;
     }
-    B1 b1 -> pin([0.14, -1.16, 0.17]) j1 -> B2 b2 -> ball j2 -> ground;
+    B1 b1 -> pin([0.14, -1.16, 0.17]) j1 -> B2 b2 -> floating j2 -> ground;
     hinge j1 { damping = 1.67 N*m*s/rad; limits = [-0.12, 1.07] rad; limit_stiffness = 24.1 N*m/rad; limit_damping = 1.68 N*m*s/rad; }
-    hinge j2 { rest = quaternion(0.21, 0.21, -0.38, 0.14); stiffness = 22.41 N*m/rad; damping = 1.12 N*m*s/rad; limits = 1.3 rad; limit_stiffness = 26.8 N*m/rad; limit_damping = 0.95 N*m*s/rad; motion = input; }
+    hinge j2 { rest = [0.11, -0.29, -0.28] m turned quaternion(-0.31, -0.26, 0.26, 0.13); stiffness = [22.41, 22.55, 12.94] N/m; damping = [1.98, 0.38, 1.34] N*s/m; armature = 0.35 kg; }
     load l1 { on = b2; at = p1; torque = input; axes = body; }
     spring s1 { on = b1; at = [0.61, -0.01, 0.17] m; to = [1.5, -0.9, -1.4] m; stiffness = 7.1 N/m; length = 0.83 m; }
 }
@@ -760,5 +754,39 @@ pub chain {
     hinge j5 { rest = -0.27 m; stiffness = 39.79 N/m; damping = 2.18 N*s/m; friction = 1.39 N; friction_speed = 0.7 m/s; force = input; }
     load l1 { on = b1; at = output; torque = input; axes = body; }
     load l2 { on = b2; torque = input; }
+}
+}
+
+printed! {
+    Random27R Random27T, Point, energy_with(state, inputs);
+    inputs |drives| {
+        j2: gimbal(&drives.motions[0]),
+    }
+    hinges j1 j2 j3;
+    springs s1;
+pub chain {
+    gravity = [0.0, 0.0, 0.0] m/s^2;
+    body B1 {
+        mass = 3.42 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.16] m;
+        inertia = tensor(0.329604, 0.253541, 0.251354, -0.042854, -0.036387, 0.01054) kg*m^2 about input;
+    }
+    body B2 {
+        mass = 3.68 kg;
+        com = [0.47, 0.0, 0.0] m;
+        output = [-0.89, 0.78, 0.37] m turned rpy(140.6, -70.0, -48.4) deg;
+        inertia = tensor(0.335997, 1.179457, 1.221768, 0.060806, -0.087746, -0.106663) kg*m^2 about input;
+    }
+    body B3 {
+        mass = 4.02 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [1.04, 1.09, 0.15] m;
+        inertia = tensor(0.243186, 0.215556, 0.302816, 0.012076, 0.064559, 0.054142) kg*m^2 about input;
+    }
+    ground at [1.27, 1.66, -1.42] m turned rpy(-90.0, 180.0, 180.0) deg -> weld j1 -> B1 b1 -> gimbal([-0.56, 1.34, -0.68], [0.32, 0.0, 0.53], [-0.58, 0.79, 0.14]) j2 -> B2 b2 -> cylindrical([0.63, 0.0, -0.99]) j3 -> B3 b3;
+    hinge j2 { stiffness = [20.82, 15.03, 30.18] N*m/rad; damping = [0.82, 1.73, 1.77] N*m*s/rad; limits = [-0.46, 0.95] rad; limit_stiffness = 35.0 N*m/rad; limit_damping = 0.74 N*m*s/rad; motion = input; }
+    hinge j3 { stiffness = 26.9 N/m; damping = 1.71 N*s/m; friction = 0.46 N; friction_speed = 0.1 m/s; }
+    spring s1 { on = b1; at = [0.0, -0.84, 0.0] m; to = [-1.2, 0.9, -0.9] m; stiffness = 11.9 N/m; damping = 1.11 N*s/m; length = 0.81 m; }
 }
 }

@@ -121,6 +121,7 @@ fn motion_of(kind: &HingeKind) -> &'static str {
         HingeKind::Screw { .. } => "screw",
         HingeKind::Cylindrical { .. } => "cylindrical",
         HingeKind::Universal { .. } => "universal",
+        HingeKind::Gimbal { .. } => "gimbal",
         HingeKind::Ball => "ball",
         HingeKind::Planar { .. } | HingeKind::PlaneFloating => "planar",
         HingeKind::PlaneElastic => "plane_elastic",

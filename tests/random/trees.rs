@@ -4,37 +4,43 @@ use super::face::printed;
 use crate::support::motion::*;
 
 printed! {
-    Tree0, Point, energy(state);
+    Tree0, Point, energy_with(state, inputs);
     inputs |drives| {
-        j3: vector(&drives.efforts, [12, 13, 14]),
+        base1: space_frame(&drives.route_starts[0]),
+        j2: vector(&drives.efforts, [1, 2, 3, 4, 5, 6]),
+        s1_force: drives.springs[0],
     }
     hinges j1 j2 j3;
-    springs;
+    springs s1;
 pub chain {
     gravity = [9.81, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 0.71 kg;
-        com = [0.0, 0.0, 0.49] m;
-        output = [0.06, 0.13, 0.5] m turned rpy(-106.3, 123.9, 128.0) deg;
-        inertia = tensor(0.089705, 0.064008, 0.060031, 0.011142, 0.010095, 0.006645) kg*m^2 about com;
+        mass = 2.86 kg;
+        com = [-0.01, 0.32, -0.35] m;
+        output = [0.38, 1.03, -0.41] m turned rpy(-88.8, 49.1, 155.1) deg;
+        inertia = tensor(0.024579, 0.008471, 0.025053, 0.000795, -0.000809, 0.00145) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.79 kg;
-        com = [-0.2, -0.31, 0.46] m;
-        output = [0.0, 0.0, 0.38] m turned rpy(-49.5, 159.9, 156.1) deg;
-        inertia = tensor(0.342233, 0.324039, 0.473788, -0.046278, -0.061273, 0.092924) kg*m^2 about com;
+        mass = 0.85 kg;
+        com = [-0.45, -0.58, 0.34] m;
+        output = [0.0, -0.99, 0.0] m turned rpy(180.0, -90.0, 180.0) deg;
+        inertia = tensor(0.428088, 0.30134, 0.50538, -0.219927, 0.120677, 0.165013) kg*m^2 about input;
     }
     body B3 {
-        mass = 2.45 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.109652, 0.172697, 0.189254, 0.018079, 0.045984, -0.02891) kg*m^2 about com;
+        mass = 2.93 kg;
+        com = [0.0, 0.14, 0.0] m;
+        output = [0.0, 0.66, 0.0] m turned rpy(162.7, -103.6, -135.7) deg;
+        inertia = tensor(0.059828, 0.069012, 0.089242, -0.002351, 0.012763, -0.014858) kg*m^2 about com;
     }
-    ground -> elastic j1 -> B1 b1;
-    ground at [0.0, 0.88, 0.0] m turned rpy(90.0, 0.0, 90.0) deg -> elastic j2 -> B2 b2;
-    b2.output -> planar(x) j3 -> B3 b3;
-    hinge j1 { rest = [-0.23, -0.2, -0.12] m turned rpy(-0.22, 0.02, -0.48) rad; stiffness = [36.61, 13.02, 36.35] N/m; damping = [1.64, 1.54, 0.74] N*s/m; limits = [-0.66, 0.58] m; limit_stiffness = 58.3 N/m; limit_damping = 1.8 N*s/m; }
-    hinge j3 { force = input; torque = input; }
+    ground -> pin([0.0, -0.44, -0.66]) j1 -> B1 b1;
+    moving base1 -> floating j2 -> B2 b2;
+    b1.output -> pin(x) j3 -> B3 b3;
+    hinge j1 { rest = 0.78 rad; stiffness = 36.61 N*m/rad; damping = 0.98 N*m*s/rad; }
+    hinge j2 { force = input; turning_damping = 2.51 N*m*s/rad; torque = input; }
+    hinge j3 { stiffness = 8.76 N*m/rad; damping = 0.39 N*m*s/rad; armature = 0.24 kg*m^2; limits = [-0.83, 0.96] rad; limit_stiffness = 5.5 N*m/rad; }
+    load l1 { on = b1; at = [0.0, -0.9, 0.0] m; torque = [-5.8, 0.5, -2.5] N*m; axes = body; }
+    load l2 { on = b2; at = output; torque = [4.6, -5.8, -5.7] N*m; axes = body; }
+    spring s1 { on = b2; at = output; to = [0.4, 0.9, -1.6] m; stiffness = 31.8 N/m; length = 0.93 m; force = input; }
 }
 }
 
@@ -111,16 +117,13 @@ pub plane chain {
 printed! {
     Tree2, Point, energy_with(state, inputs);
     inputs |drives| {
-        j1: slider(&drives.motions[0]),
-        j2: cylindrical(&drives.motions[1]),
-        j3: drives.efforts[0],
-        j4: drives.efforts[1],
-        l2_force: drives.loads[1].force.into(),
+        j3: floating(&drives.motions[0]),
+        l1_force: drives.loads[0].force.into(),
     }
     hinges j1 j2 j3 j4;
     springs;
 pub chain {
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = [-5.11, -2.34, -0.25] m/s^2;
     body B1 {
         mass = 3.06 kg;
         com = [0.0, 0.0, -0.27] m;
@@ -128,54 +131,51 @@ pub chain {
         inertia = diag(0.066679, 0.0671, 0.040439) kg*m^2 about com;
     }
     body B2 {
-        mass = 3.75 kg;
-        com = [-0.59, -0.24, 0.44] m;
-        output = [0.0, 0.0, -0.48] m;
-        inertia = diag(0.235217, 0.466798, 0.288127) kg*m^2 about com;
-        point f1 = [-0.32, 0.83, -0.46] m;
+        mass = 3.17 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.25, -0.56, -0.38] m turned rpy(90.0, 180.0, 90.0) deg;
+        inertia = tensor(0.121618, 0.045406, 0.139162, 0.037025, 0.011349, -0.033713) kg*m^2 about input;
     }
     body B3 {
-        mass = 1.73 kg;
-        com = [-0.32, 0.12, -0.17] m;
-        output = [0.0, 1.09, 0.0] m;
-        inertia = tensor(0.145984, 0.342614, 0.275378, 0.057046, -0.095036, 0.046914) kg*m^2 about input;
+        mass = 1.31 kg;
+        com = [0.3, 0.0, 0.0] m;
+        output = [-0.42, -1.19, 0.28] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.088881, 0.200109, 0.212061, 0.015868, -0.03591, 0.019472) kg*m^2 about input;
     }
     body B4 {
-        mass = 3.04 kg;
-        com = [-0.48, 0.6, -0.2] m;
-        output = [0.55, 0.0, 0.0] m;
-        inertia = tensor(0.129478, 0.137258, 0.134671, 0.001684, 0.000815, 0.001295) kg*m^2 about com;
+        mass = 3.54 kg;
+        com = [0.52, 0.0, 0.0] m;
+        output = [-1.2, 0.64, 0.52] m;
+        inertia = tensor(0.374678, 0.375179, 0.408666, 0.017507, 0.013688, -0.067027) kg*m^2 about com;
     }
-    B1 b1 -> slider([-1.0, 0.0, 0.0]) j1 -> B2 b2 -> cylindrical([-0.71, 1.29, 0.87]) j2 -> B3 b3 -> pin(z) j3 -> ground at [-0.72, 1.44, -0.46] m;
-    b2.f1 -> screw([0.0, -1.0, 0.0], 0.53 m/rad) j4 -> B4 b4;
-    hinge j1 { stiffness = 28.79 N/m; armature = 0.72 kg; friction = 0.44 N; friction_speed = 0.1 m/s; motion = input; }
-    hinge j2 { motion = input; }
-    hinge j3 { damping = 0.48 N*m*s/rad; armature = 0.72 kg*m^2; friction = 1.47 N*m; friction_speed = 0.2 rad/s; limits = [-1.13, 0.93] rad; limit_stiffness = 47.0 N*m/rad; limit_damping = 0.36 N*m*s/rad; torque = input; }
-    hinge j4 { torque = input; }
-    load l1 { on = b3; force = [-0.7, -1.6, 3.2] N; }
-    load l2 { on = b4; at = input; force = input; torque = [6.1, 2.5, -6.3] N*m; axes = body; }
+    B1 b1 -> universal([-1.0, 0.0, 0.0], z) j1 -> B2 b2 -> ball j2 -> B3 b3 -> floating j3 -> ground;
+    b1.output -> cylindrical([0.42, -0.57, 1.46]) j4 -> B4 b4;
+    hinge j1 { stiffness = [33.03, 12.57] N*m/rad; }
+    hinge j2 { stiffness = 18.87 N*m/rad; damping = 2.66 N*m*s/rad; }
+    hinge j3 { damping = 0.48 N*s/m; armature = 0.72 kg; friction = 1.47 N; friction_speed = 0.2 m/s; limits = [-1.13, 0.93] m; limit_stiffness = 47.0 N/m; limit_damping = 0.36 N*s/m; turning_armature = 0.36 kg*m^2; turning_friction = 0.53 N*m; turning_friction_speed = 0.9 rad/s; motion = input; }
+    load l1 { on = b2; at = [-0.52, -0.58, 0.78] m; force = input; torque = [7.5, 5.1, -5.6] N*m; }
 }
 }
 
 printed! {
     Tree3, Point, energy_with(state, inputs);
     inputs |drives| {
-        j1: elastic(&drives.motions[0]),
-        j3: cylindrical(&drives.motions[1]),
-        j8: cylindrical(&drives.motions[2]),
-        j5: vector(&drives.efforts, [7, 8, 9]),
-        l1_force: drives.loads[0].force.into(),
+        base1: space_frame(&drives.route_starts[0]),
+        j2: pin(&drives.motions[0]),
+        j3: vector(&drives.efforts, [2, 3]),
+        j5: vector(&drives.efforts, [10, 11, 12, 13, 14, 15]),
+        s3_force: drives.springs[2],
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4 j5 j6 j7 j8;
-    springs c1 c2;
+    springs s1 s2 s3;
 pub chain {
     gravity = input;
     body B1 {
-        mass = 4.46 kg;
-        com = [-0.02, -0.2, 0.26] m;
-        output = [0.0, 0.21, 0.0] m turned rpy(-111.2, 44.1, 140.5) deg;
-        inertia = tensor(0.740351, 0.622092, 0.555978, -0.032961, 0.109358, 0.321264) kg*m^2 about input;
+        mass = 3.55 kg;
+        com = [-0.27, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.29] m turned rpy(0.0, 90.0, 0.0) deg;
+        inertia = tensor(0.320313, 0.355042, 0.370583, -0.029021, 0.022713, 0.023207) kg*m^2 about com;
     }
     body B2 {
         mass = 4.49 kg;
@@ -184,49 +184,48 @@ pub chain {
         inertia = tensor(0.245331, 0.359042, 0.175413, 0.01524, 0.11245, -0.019726) kg*m^2 about input;
     }
     body B3 {
-        mass = 2.39 kg;
-        com = [0.36, 0.0, 0.0] m;
-        output = [-0.42, -0.43, -0.67] m turned rpy(90.0, -90.0, 180.0) deg;
-        inertia = diag(0.155059, 0.302923, 0.227566) kg*m^2 about com;
+        mass = 1.24 kg;
+        com = [0.36, -0.21, -0.21] m;
+        output = [0.93, -1.18, 0.99] m;
+        inertia = tensor(0.120707, 0.167962, 0.140931, -0.011871, 0.00779, -0.034371) kg*m^2 about com;
     }
     body B4 {
-        mass = 2.04 kg;
-        com = [0.0, 0.0, 0.43] m;
-        output = [-1.02, -0.4, 0.5] m turned rpy(0.0, -90.0, 0.0) deg;
-        inertia = diag(0.447924, 0.426153, 0.042889) kg*m^2 about input;
+        mass = 4.84 kg;
+        com = [0.24, 0.0, 0.0] m;
+        output = [0.1, 1.02, 0.85] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = diag(0.337181, 0.14198, 0.345305) kg*m^2 about com;
     }
     body B5 {
-        mass = 4.37 kg;
-        com = [0.43, 0.1, -0.56] m;
-        output = [-1.19, -0.32, 0.72] m;
-        inertia = tensor(0.338004, 0.434002, 0.327277, 0.08514, 0.038858, -0.004611) kg*m^2 about com;
-        point f1 = [0.0, 0.0, 1.03] m turned rpy(0.0, 0.0, 90.0) deg;
+        mass = 1.04 kg;
+        com = [0.14, 0.5, 0.57] m;
+        output = [1.03, 0.0, 0.0] m;
+        inertia = diag(0.018053, 0.016322, 0.004397) kg*m^2 about com;
     }
     body B6 {
-        mass = 4.89 kg;
-        com = [-0.06, -0.19, 0.12] m;
-        output = [0.0, 0.12, 0.0] m;
-        inertia = tensor(0.69368, 0.637693, 0.815236, -0.055746, 0.035208, 0.111492) kg*m^2 about input;
+        mass = 2.34 kg;
+        com = [0.0, 0.0, 0.3] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-90.0, 180.0, 180.0) deg;
+        inertia = diag(0.456742, 0.33427, 0.133386) kg*m^2 about input;
     }
     body B7 {
-        mass = 2.08 kg;
-        com = [0.56, 0.39, -0.39] m;
-        output = [1.06, -0.99, 0.66] m;
-        inertia = tensor(0.70519, 1.023985, 1.027089, -0.437199, 0.46579, 0.308592) kg*m^2 about input;
+        mass = 1.05 kg;
+        com = [0.08, 0.06, -0.15] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 0.0, 90.0) deg;
+        inertia = tensor(0.079573, 0.047035, 0.05579, -0.00504, 0.0126, 0.00945) kg*m^2 about input;
     }
-    ground -> elastic j1 -> B1 b1 -> screw([0.0, 0.0, -1.0], 0.14 m/rad) j2 -> B2 b2 -> cylindrical([-1.0, 0.0, 0.0]) j3 -> B3 b3 -> elastic j4 -> B4 b4 -> ball j5 -> ground at [-1.84, 0.2, -1.08] m turned rpy(23.1, -51.2, -127.5) deg;
-    b4.output -> elastic j6 -> B5 b5;
-    b5.f1 -> universal(y, [-0.52, -0.85, -0.93]) j7 -> B6 b6 -> cylindrical([0.0, -1.0, 0.0]) j8 -> B7 b7;
-    hinge j1 { rest = [0.05, 0.24, -0.15] m turned rpy(-0.21, -0.23, -0.66) rad; stiffness = [18.75, 32.59, 36.68] N/m; armature = 0.8 kg; motion = input; }
-    hinge j3 { turning_damping = 0.66 N*m*s/rad; turning_armature = 0.47 kg*m^2; turning_friction = 0.48 N*m; turning_friction_speed = 0.5 rad/s; motion = input; }
-    hinge j4 { stiffness = [23.49, 23.43, 10.99] N/m; damping = [2.45, 1.61, 0.34] N*s/m; }
-    hinge j5 { torque = input; }
-    hinge j6 { stiffness = 24.37 N/m; armature = 0.4 kg; friction = [1.11, 1.08, 1.51] N; friction_speed = 0.9 m/s; limits = [-1.02, 0.74] m; limit_stiffness = 7.9 N/m; limit_damping = 1.93 N*s/m; }
-    hinge j7 { armature = [0.15, 0.26] kg*m^2; torque = [-2.2, 4.3] N*m; }
-    hinge j8 { stiffness = 23.56 N/m; armature = 0.11 kg; friction = 1.56 N; friction_speed = 0.3 m/s; limits = [-0.55, 1.15] m; limit_stiffness = 17.6 N/m; limit_damping = 0.35 N*s/m; turning_stiffness = 33.88 N*m/rad; turning_damping = 2.23 N*m*s/rad; turning_armature = 0.7 kg*m^2; motion = input; }
-    load l1 { on = b6; force = input; axes = body; }
-    spring c1 { on = b2; at = [0.0, 0.0, 0.7] m; to = b6.output; stiffness = 6.4 N/m; damping = 1.16 N*s/m; length = 0.53 m; }
-    spring c2 { on = b5; at = [-0.51, -0.63, 0.59] m; to = b3.input; stiffness = 6.4 N/m; }
+    ground -> universal(y, z) j1 -> B1 b1 -> pin([0.0, 0.0, -1.0]) j2 -> B2 b2 -> universal([-1.0, 0.0, 0.0], [0.0, 0.0, -1.0]) j3 -> B3 b3 -> elastic j4 -> B4 b4 -> floating j5 -> ground at [-3.35, -1.52, 0.84] m turned rpy(-95.1, 11.6, -23.2) deg;
+    moving base1 -> ball j6 -> B5 b5 -> weld j7 -> B6 b6;
+    b5.input -> slider(x) j8 -> B7 b7;
+    hinge j2 { rest = 0.84 rad; stiffness = 13.29 N*m/rad; damping = 2.77 N*m*s/rad; motion = input; }
+    hinge j3 { torque = input; }
+    hinge j4 { force = [-2.4, -2.3, 3.5] N; turning_damping = 0.5 N*m*s/rad; turning_armature = 0.29 kg*m^2; torque = [-4.0, 1.4, 4.7] N*m; }
+    hinge j5 { force = input; turning_stiffness = 18.75 N*m/rad; turning_limits = 0.58 rad; turning_limit_stiffness = 22.5 N*m/rad; torque = input; }
+    hinge j6 { armature = 0.14 kg*m^2; friction = 1.6 N*m; friction_speed = 0.3 rad/s; }
+    load l1 { on = b3; at = [0.0, 0.0, 0.22] m; force = [0.4, 1.9, 0.4] N; }
+    load l2 { on = b4; at = output; force = [-2.7, 1.7, -3.2] N; axes = body; }
+    spring s1 { on = b1; at = com; to = [1.7, 1.9, -0.4] m; stiffness = 34.4 N/m; damping = 1.1 N*s/m; }
+    spring s2 { on = b2; at = input; to = [-0.4, 1.4, 1.2] m; stiffness = 38.7 N/m; length = 0.31 m; force = -7.8 N; }
+    spring s3 { on = b7; at = com; to = [-0.4, 0.2, -1.1] m; stiffness = 30.7 N/m; damping = 1.49 N*s/m; force = input; }
 }
 }
 
@@ -326,9 +325,12 @@ printed! {
     Tree6, Point, energy_with(state, inputs);
     inputs |drives| {
         tip: space_frame(&drives.finish),
-        j3: vector(&drives.efforts, [2, 3, 4]),
-        j7: drives.efforts[10],
+        j1: vector(&drives.efforts, [0, 1, 2]),
+        j3: vector(&drives.efforts, [6, 7, 8]),
+        j4: vector(&drives.efforts, [9, 10]),
         l1_torque: drives.loads[0].torque.into(),
+        l2_torque: drives.loads[1].torque.into(),
+        l3_torque: drives.loads[2].torque.into(),
         gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4 j5 j6 j7;
@@ -336,51 +338,54 @@ printed! {
 pub chain {
     gravity = input;
     body B1 {
-        mass = 4.61 kg;
-        com = [0.38, -0.38, -0.27] m;
-        output = [0.0, 1.2, 0.0] m turned rpy(-166.1, 59.0, -44.2) deg;
-        inertia = tensor(1.203037, 1.283249, 1.483002, 0.665684, 0.472986, -0.472986) kg*m^2 about input;
+        mass = 1.95 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.31, 0.09, -0.76] m;
+        inertia = diag(0.100004, 0.101834, 0.084188) kg*m^2 about input;
     }
     body B2 {
-        mass = 2.89 kg;
-        com = [0.0, 0.0, -0.14] m;
-        output = [0.0, -1.07, 0.0] m turned rpy(90.0, -90.0, 180.0) deg;
-        inertia = diag(0.081895, 0.124415, 0.194652) kg*m^2 about com;
+        mass = 4.38 kg;
+        com = [-0.36, -0.34, 0.52] m;
+        output = [0.0, 0.0, 0.75] m turned rpy(180.0, 90.0, 0.0) deg;
+        inertia = diag(0.383251, 0.144929, 0.283738) kg*m^2 about com;
+        point p1 = [0.0, 0.0, 0.0] m;
     }
     body B3 {
-        mass = 2.78 kg;
-        com = [0.31, 0.0, 0.0] m;
-        output = [0.0, 0.0, -1.06] m turned rpy(90.0, 90.0, 90.0) deg;
-        inertia = tensor(0.147482, 0.086497, 0.090102, -0.017241, 0.006259, -0.018193) kg*m^2 about com;
-        point p1 = [0.91, -0.6, -0.18] m;
+        mass = 2.24 kg;
+        com = [0.48, 0.0, 0.0] m;
+        output = [0.22, 0.0, 0.0] m;
+        inertia = tensor(0.034852, 0.547885, 0.545467, -0.004677, -0.000308, -4.6e-5) kg*m^2 about input;
+        point p2 = [0.91, -0.6, -0.18] m;
     }
     body B4 {
-        mass = 0.36 kg;
-        com = [0.27, 0.0, 0.0] m;
-        output = [0.0, 0.51, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
-        inertia = tensor(0.014501, 0.037988, 0.035313, 8.7e-5, 0.00018, -0.004039) kg*m^2 about input;
+        mass = 4.0 kg;
+        com = [0.0, 0.0, 0.48] m;
+        output = [0.0, 0.0, 0.13] m turned rpy(90.0, 0.0, 0.0) deg;
+        inertia = diag(1.150225, 0.969909, 0.262683) kg*m^2 about input;
     }
     body B5 {
-        mass = 3.77 kg;
-        com = [0.36, 0.0, 0.0] m;
-        output = [0.15, -0.56, 0.62] m turned rpy(-179.1, -169.6, -51.3) deg;
-        inertia = tensor(0.232581, 0.764371, 0.795612, -0.033953, -0.030659, 0.061393) kg*m^2 about input;
+        mass = 4.01 kg;
+        com = [0.15, -0.58, -0.19] m;
+        output = [-0.76, 0.83, -0.05] m;
+        inertia = tensor(1.662336, 0.552039, 1.829179, 0.308723, 0.056043, -0.414424) kg*m^2 about input;
     }
     body B6 {
-        mass = 3.47 kg;
-        com = [-0.42, 0.26, -0.03] m;
-        output = [0.59, 0.1, 0.21] m turned rpy(90.0, 0.0, 180.0) deg;
-        inertia = tensor(0.204186, 0.199004, 0.229644, 0.049446, -0.027762, -0.013993) kg*m^2 about com;
+        mass = 1.57 kg;
+        com = [0.0, -0.28, 0.0] m;
+        output = [1.07, -0.26, 1.15] m turned rpy(-161.6, -126.2, -49.0) deg;
+        inertia = diag(0.222207, 0.14452, 0.323663) kg*m^2 about input;
     }
-    ground -> pin([0.0, 0.0, -1.0]) j1 -> B1 b1 -> pin([-1.18, -1.23, 0.0]) j2 -> B2 b2 -> floating j3 -> B3 b3 -> screw(z, 0.08 m/rad) j4 -> B4 b4 -> pin([1.18, -1.06, 1.05]) j5 -> moving tip;
-    ground at [0.29, 0.06, 1.65] m -> weld j6 -> B5 b5 -> pin(x) j7 -> B6 b6;
-    hinge j1 { damping = 1.14 N*m*s/rad; friction = 0.81 N*m; friction_speed = 0.9 rad/s; }
-    hinge j2 { stiffness = 14.04 N*m/rad; }
-    hinge j3 { force = input; torque = [-3.3, 1.5, 1.3] N*m; }
-    hinge j5 { rest = 0.05 rad; stiffness = 35.5 N*m/rad; damping = 0.9 N*m*s/rad; armature = 0.66 kg*m^2; friction = 0.29 N*m; friction_speed = 0.3 rad/s; limits = [-0.57, 0.74] rad; limit_stiffness = 31.7 N*m/rad; limit_damping = 0.98 N*m*s/rad; torque = 1.2 N*m; }
-    hinge j7 { torque = input; }
-    load l1 { on = b5; force = [-7.5, -4.7, 3.5] N; torque = input; }
-    spring s1 { on = b3; at = p1; to = [-1.2, 0.4, -1.3] m; stiffness = 11.1 N/m; damping = 1.82 N*s/m; length = 0.95 m; force = 7.2 N; }
+    ground at [-0.92, 0.0, 0.0] m turned rpy(148.5, -42.7, -29.8) deg -> ball j1 -> B1 b1 -> ball j2 -> B2 b2 -> ball j3 -> B3 b3 -> universal(x, [0.0, 0.46, -0.13]) j4 -> moving tip;
+    b2.output -> weld j5 -> B4 b4 -> screw([-1.0, 0.0, 0.0], 0.31 m/rad) j6 -> B5 b5 -> pin([-0.85, -1.15, -0.92]) j7 -> B6 b6;
+    hinge j1 { torque = input; }
+    hinge j2 { damping = 1.18 N*m*s/rad; }
+    hinge j3 { torque = input; }
+    hinge j4 { torque = input; }
+    hinge j6 { rest = 0.05 rad; stiffness = 35.5 N*m/rad; damping = 0.9 N*m*s/rad; armature = 0.66 kg*m^2; friction = 0.29 N*m; friction_speed = 0.3 rad/s; limits = [-0.57, 0.74] rad; limit_stiffness = 31.7 N*m/rad; limit_damping = 0.98 N*m*s/rad; }
+    load l1 { on = b1; at = input; torque = input; axes = body; }
+    load l2 { on = b2; at = p1; torque = input; axes = body; }
+    load l3 { on = b5; force = [-7.5, -4.7, 3.5] N; torque = input; }
+    spring s1 { on = b3; at = p2; to = [-1.2, 0.4, -1.3] m; stiffness = 11.1 N/m; damping = 1.82 N*s/m; length = 0.95 m; force = 7.2 N; }
 }
 }
 
@@ -444,121 +449,127 @@ printed! {
     inputs |drives| {
         base: space_frame(&drives.start),
         tip: space_frame(&drives.finish),
-        j7: vector(&drives.efforts, [11, 12, 13]),
+        j8: ball(&drives.motions[0]),
+        j1: vector(&drives.efforts, [0, 1]),
+        j3: vector(&drives.efforts, [3, 4, 5]),
+        l1_force: drives.loads[0].force.into(),
+        l2_torque: drives.loads[1].torque.into(),
         c1_force: drives.springs[0],
-        gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4 j5 j6 j7 j8;
-    springs c1 s2 s3;
+    springs c1 c2;
 pub chain {
-    gravity = input;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     body B1 {
-        mass = 0.55 kg;
-        com = [0.0, 0.39, 0.26] m;
-        output = [-0.67, -0.79, 0.63] m;
-        inertia = tensor(0.008811, 0.009538, 0.008002, -0.000764, -0.000481, -0.000748) kg*m^2 about com;
+        mass = 2.23 kg;
+        com = [0.08, -0.36, -0.02] m;
+        output = [-0.27, -0.51, -0.22] m turned rpy(151.8, 164.2, -1.5) deg;
+        inertia = tensor(0.482422, 0.162239, 0.419126, 0.029814, 0.017249, -0.012543) kg*m^2 about input;
     }
     body B2 {
-        mass = 3.36 kg;
-        com = [-0.28, -0.27, 0.0] m;
-        output = [-0.61, -0.75, -0.86] m;
-        inertia = tensor(0.521956, 0.467225, 0.827535, -0.280546, -0.090833, 0.016688) kg*m^2 about input;
+        mass = 0.74 kg;
+        com = [0.0, -0.38, 0.0] m;
+        output = [-0.51, 0.0, 0.0] m turned rpy(90.0, -90.0, 0.0) deg;
+        inertia = tensor(0.064163, 0.061522, 0.09574, 0.00341, 0.018309, 0.005989) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.41 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-1.2, 0.0, 0.0] m;
-        inertia = tensor(0.332647, 0.399055, 0.455031, 0.002533, 0.038552, 0.06513) kg*m^2 about com;
+        mass = 1.26 kg;
+        com = [0.0, 0.0, -0.19] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-77.0, -172.5, 45.4) deg;
+        inertia = tensor(0.191114, 0.190314, 0.100963, -0.014237, 0.004264, -0.011348) kg*m^2 about input;
     }
     body B4 {
-        mass = 2.74 kg;
-        com = [0.13, 0.0, 0.0] m;
-        output = [0.0, 0.47, 0.0] m turned rpy(-90.0, 180.0, -90.0) deg;
-        inertia = diag(0.262888, 0.068724, 0.23243) kg*m^2 about com;
+        mass = 2.96 kg;
+        com = [0.0, -0.19, 0.0] m;
+        output = [0.54, 0.0, 0.0] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = tensor(0.312309, 0.201978, 0.187352, -0.00231, -0.014222, -0.015392) kg*m^2 about input;
     }
     body B5 {
-        mass = 2.97 kg;
-        com = [-0.49, -0.5, -0.29] m;
-        output = [0.68, -0.07, 1.06] m turned rpy(90.0, 90.0, -90.0) deg;
-        inertia = tensor(1.172461, 1.074277, 1.652099, -0.72765, -0.422037, -0.43065) kg*m^2 about input;
+        mass = 3.56 kg;
+        com = [0.05, 0.08, 0.55] m;
+        output = [0.36, 0.68, -0.37] m turned rpy(90.0, 90.0, 180.0) deg;
+        inertia = tensor(0.083274, 0.093945, 0.062594, -0.010713, -0.008776, -0.01513) kg*m^2 about com;
     }
     body B6 {
-        mass = 1.84 kg;
-        com = [0.38, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(90.0, 0.0, 0.0) deg;
-        inertia = tensor(0.119868, 0.373266, 0.422652, -0.058689, 0.016513, 0.013202) kg*m^2 about input;
+        mass = 4.78 kg;
+        com = [0.0, 0.0, 0.51] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = diag(0.127053, 0.126046, 0.114488) kg*m^2 about com;
+        point f1 = [0.08, -1.19, -0.21] m;
     }
     body B7 {
-        mass = 0.29 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, -0.43, 0.0] m turned rpy(-101.9, -157.5, 174.0) deg;
-        inertia = tensor(0.038466, 0.035131, 0.029531, 0.008126, -0.00276, -0.002857) kg*m^2 about com;
+        mass = 3.0 kg;
+        com = [0.56, 0.03, -0.52] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = tensor(0.83503, 1.819231, 0.997804, -0.043455, 0.893161, 0.042868) kg*m^2 about input;
     }
-    moving base -> floating j1 -> B1 b1 -> slider([0.0, 0.81, 1.03]) j2 -> B2 b2 -> pin([0.0, -1.0, 0.0]) j3 -> moving tip;
-    b1.output -> weld j4 -> B3 b3 -> ball j5 -> B4 b4;
-    ground at [0.0, 0.0, 0.67] m turned rpy(90.0, 0.0, 0.0) deg -> weld j6 -> B5 b5 -> ball j7 -> B6 b6;
-    b6.output -> weld j8 -> B7 b7;
-    hinge j1 { turning_friction = 0.28 N*m; turning_friction_speed = 0.8 rad/s; turning_limits = 1.32 rad; turning_limit_stiffness = 40.1 N*m/rad; }
-    hinge j2 { rest = -0.08 m; stiffness = 32.65 N/m; damping = 0.59 N*s/m; armature = 0.59 kg; friction = 1.14 N; friction_speed = 0.2 m/s; }
-    hinge j3 { rest = -1.22 rad; stiffness = 4.87 N*m/rad; damping = 1.47 N*m*s/rad; armature = 0.76 kg*m^2; torque = 0.9 N*m; }
-    hinge j5 { torque = [-0.8, -2.0, -2.6] N*m; }
-    hinge j7 { torque = input; }
-    spring c1 { on = b5; at = input; to = b6.com; stiffness = 7.6 N/m; force = input; }
-    spring s2 { on = b2; at = com; to = [1.4, 1.6, 1.3] m; stiffness = 20.1 N/m; damping = 2.76 N*s/m; length = 1.12 m; }
-    spring s3 { on = b4; at = input; to = [-1.7, 0.5, -1.1] m; stiffness = 36.2 N/m; damping = 2.23 N*s/m; force = 1.0 N; }
+    moving base -> universal(x, [-0.61, 0.8, -0.73]) j1 -> B1 b1 -> screw(x, 0.41 m/rad) j2 -> B2 b2 -> planar(x) j3 -> B3 b3 -> planar(x) j4 -> B4 b4 -> elastic j5 -> B5 b5 -> slider(z) j6 -> B6 b6 -> weld j7 -> moving tip;
+    b6.f1 -> ball j8 -> B7 b7;
+    hinge j1 { torque = input; }
+    hinge j3 { force = input; torque = input; }
+    hinge j4 { turning_stiffness = 14.75 N*m/rad; }
+    hinge j8 { rest = quaternion(-0.09, -0.18, 0.02, -0.45); stiffness = 3.17 N*m/rad; friction = 0.59 N*m; friction_speed = 0.7 rad/s; motion = input; }
+    load l1 { on = b1; at = output; force = input; }
+    load l2 { on = b5; torque = input; }
+    spring c1 { on = b3; at = input; to = b4.output; stiffness = 22.2 N/m; damping = 0.34 N*s/m; length = 1.15 m; force = input; }
+    spring c2 { on = b6; at = output; to = b3.output; stiffness = 37.8 N/m; damping = 1.61 N*s/m; length = 1.37 m; force = 4.9 N; }
 }
 }
 
 printed! {
-    Tree9, Point, energy(state);
+    Tree9, Point, energy_with(state, inputs);
     inputs |drives| {
-        l1_force: drives.loads[0].force.into(),
-        gravity: drives.gravity.into(),
+        j4: gimbal(&drives.motions[0]),
+        j5: vector(&drives.efforts, [13, 14, 15, 16, 17, 18]),
+        l2_force: drives.loads[1].force.into(),
+        l3_force: drives.loads[2].force.into(),
     }
     hinges j1 j2 j3 j4 j5;
-    springs;
+    springs c1 s2;
 pub chain {
-    gravity = input;
+    gravity = [-5.92, 5.61, 2.33] m/s^2;
     body B1 {
-        mass = 1.46 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [-0.67, 0.69, 0.22] m;
-        inertia = tensor(0.108758, 0.118983, 0.142068, 0.004146, 0.003541, -0.040597) kg*m^2 about com;
+        mass = 1.35 kg;
+        com = [0.08, -0.36, 0.13] m;
+        output = [-1.01, -0.08, -0.3] m turned rpy(-86.6, 48.8, 72.9) deg;
+        inertia = diag(0.087363, 0.085905, 0.003746) kg*m^2 about com;
     }
     body B2 {
-        mass = 4.81 kg;
-        com = [0.24, -0.23, -0.6] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = tensor(2.211674, 2.345616, 0.692703, 0.243104, 0.553335, -0.667241) kg*m^2 about input;
-        point f1 = [0.74, -0.58, -0.32] m turned rpy(-175.9, 0.5, -166.9) deg;
+        mass = 3.93 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.57, 0.0, 0.0] m turned rpy(0.0, 0.0, 90.0) deg;
+        inertia = tensor(0.260162, 0.1228, 0.232272, -0.009616, -0.001134, 0.015097) kg*m^2 about input;
+        point f1 = [1.13, 0.74, -0.58] m;
     }
     body B3 {
-        mass = 4.62 kg;
-        com = [0.0, 0.24, 0.0] m;
-        output = [0.0, 0.55, 0.0] m turned rpy(-36.1, 145.7, -32.4) deg;
-        inertia = diag(0.367623, 0.197763, 0.487191) kg*m^2 about input;
+        mass = 2.56 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.66, 0.0] m;
+        inertia = tensor(0.101545, 0.172216, 0.123792, 0.024639, -0.060795, 0.025947) kg*m^2 about input;
     }
     body B4 {
-        mass = 1.82 kg;
-        com = [0.2, 0.06, 0.18] m;
-        output = [0.0, 0.8, 0.0] m;
-        inertia = tensor(0.077369, 0.097443, 0.053482, -0.021723, -0.005845, 0.004355) kg*m^2 about com;
+        mass = 2.83 kg;
+        com = [-0.03, 0.16, -0.39] m;
+        output = [0.89, 0.0, 0.0] m;
+        inertia = tensor(0.826083, 0.688719, 0.325111, 0.097683, -0.055287, 0.155009) kg*m^2 about input;
+        point p1 = [-0.46, 0.0, 0.0] m;
     }
     body B5 {
-        mass = 2.02 kg;
-        com = [0.0, 0.4, 0.0] m;
-        output = [-0.18, -1.13, -0.67] m turned rpy(35.0, -152.0, -65.7) deg;
-        inertia = tensor(0.082083, 0.029635, 0.075178, 0.004273, 0.006184, -0.017243) kg*m^2 about com;
-        point p1 = [-0.39, 0.0, 0.0] m;
+        mass = 3.43 kg;
+        com = [0.19, -0.1, -0.59] m;
+        output = [-0.29, -0.38, -0.6] m turned rpy(-9.8, 155.8, -26.9) deg;
+        inertia = tensor(1.686925, 1.595467, 0.390207, 0.06517, 0.384503, -0.20237) kg*m^2 about input;
+        point p2 = [0.0, 0.0, 0.25] m;
     }
-    ground at [0.0, 1.0, 0.0] m turned rpy(0.0, -90.0, 0.0) deg -> floating j1 -> B1 b1 -> cylindrical(x) j2 -> B2 b2;
-    b2.f1 -> elastic j3 -> B3 b3 -> weld j4 -> B4 b4;
-    ground at [1.05, 0.65, -0.34] m -> elastic j5 -> B5 b5;
-    hinge j1 { damping = [0.26, 0.37, 0.51] N*s/m; armature = [0.35, 0.35, 0.62] kg; friction = 1.33 N; friction_speed = 0.8 m/s; limits = [-0.29, 0.73] m; limit_stiffness = 46.2 N/m; limit_damping = 1.43 N*s/m; }
-    hinge j2 { rest = 0.05 m turned -0.04 rad; turning_stiffness = 10.26 N*m/rad; turning_damping = 2.0 N*m*s/rad; }
-    hinge j3 { turning_stiffness = 33.83 N*m/rad; turning_armature = 0.56 kg*m^2; turning_friction = 0.63 N*m; turning_friction_speed = 0.7 rad/s; }
-    hinge j5 { rest = [0.12, 0.21, 0.02] m turned rpy(-0.09, 0.04, 0.9) rad; stiffness = 5.23 N/m; damping = [1.45, 1.54, 1.59] N*s/m; turning_stiffness = [17.39, 22.83, 32.21] N*m/rad; turning_damping = 0.18 N*m*s/rad; turning_friction = [1.87, 0.29, 1.68] N*m; turning_friction_speed = 1.0 rad/s; }
-    load l1 { on = b5; at = p1; force = input; axes = body; }
+    ground at [0.0, 0.0, 0.0] m turned rpy(0.0, 0.0, -90.0) deg -> slider([0.0, -0.41, 0.93]) j1 -> B1 b1 -> floating j2 -> B2 b2;
+    b2.f1 -> elastic j3 -> B3 b3 -> gimbal(z, [-1.08, 0.57, 0.36], [0.0, 0.0, -1.0]) j4 -> B4 b4 -> elastic j5 -> B5 b5;
+    hinge j4 { limits = [-0.25, 0.54] rad; limit_stiffness = 8.0 N*m/rad; motion = input; }
+    hinge j5 { force = input; torque = input; }
+    load l1 { on = b3; at = input; torque = [0.6, 3.8, -1.9] N*m; }
+    load l2 { on = b4; at = p1; force = input; axes = body; }
+    load l3 { on = b5; at = p2; force = input; axes = body; }
+    spring c1 { on = b1; at = [0.0, 0.0, 0.0] m; to = b4.input; stiffness = 10.1 N/m; }
+    spring s2 { on = b3; at = com; to = [1.0, 1.2, -0.2] m; stiffness = 13.9 N/m; }
 }
 }
 
@@ -658,48 +669,49 @@ pub line chain {
 }
 
 printed! {
-    Tree12, Point, energy(state);
+    Tree12, Point, energy_with(state, inputs);
     inputs |drives| {
-        j1: vector(&drives.efforts, [0, 1, 2, 3, 4, 5]),
-        j4: vector(&drives.efforts, [7, 8, 9, 10, 11, 12]),
+        j2: screw(&drives.motions[0]),
+        j5: vector(&drives.efforts, [10, 11, 12]),
+        gravity: drives.gravity.into(),
     }
     hinges j1 j2 j3 j4 j5;
-    springs c1;
+    springs s1 s2;
 pub chain {
-    gravity = [0.0, 0.0, -9.81] m/s^2;
+    gravity = input;
     body B1 {
-        mass = 3.0 kg;
-        com = [0.0, 0.0, -0.11] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.322315, 0.388171, 0.369123, 0.034211, 0.008455, 0.00037) kg*m^2 about input;
+        mass = 4.32 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-1.19, 0.95, 0.12] m turned rpy(15.9, -170.1, 59.0) deg;
+        inertia = tensor(0.156746, 0.275987, 0.187806, -0.011821, -0.010694, 0.036062) kg*m^2 about input;
     }
     body B2 {
-        mass = 0.35 kg;
-        com = [0.0, 0.0, 0.17] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(90.0, 180.0, 0.0) deg;
-        inertia = diag(0.033714, 0.018121, 0.029087) kg*m^2 about com;
+        mass = 3.66 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.22, 0.0, 0.0] m;
+        inertia = diag(0.128432, 0.110188, 0.072142) kg*m^2 about input;
     }
     body B3 {
-        mass = 1.12 kg;
-        com = [0.04, -0.06, 0.54] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 0.0, 90.0) deg;
-        inertia = tensor(0.357157, 0.380667, 0.056883, -0.002405, -0.021868, 0.04608) kg*m^2 about input;
+        mass = 4.46 kg;
+        com = [0.0, -0.53, 0.0] m;
+        output = [0.0, -0.25, 0.0] m turned rpy(118.0, -132.9, -13.6) deg;
+        inertia = tensor(1.32311, 0.086654, 1.317882, 0.001072, -0.011037, -0.017393) kg*m^2 about input;
     }
     body B4 {
-        mass = 2.0 kg;
-        com = [-0.24, 0.58, 0.39] m;
-        output = [-0.36, 0.0, 0.0] m;
-        inertia = tensor(1.008769, 0.444552, 0.799556, 0.280028, 0.183836, -0.441822) kg*m^2 about input;
+        mass = 0.83 kg;
+        com = [0.01, 0.35, -0.04] m;
+        output = [0.0, 0.81, 0.0] m;
+        inertia = tensor(0.164403, 0.072337, 0.209617, -0.002905, 0.000332, 0.01162) kg*m^2 about input;
     }
-    ground at [0.39, 0.0, 0.0] m -> elastic j1 -> B1 b1 -> pin([-0.7, 0.94, -0.24]) j2 -> B2 b2 -> weld j3 -> ground at [0.04, -0.4, -0.19] m turned rpy(28.1, 12.8, -105.4) deg;
-    b2.output -> elastic j4 -> B3 b3;
-    ground at [0.0, 1.04, 0.0] m turned rpy(137.6, 166.8, -7.6) deg -> floating j5 -> B4 b4;
-    hinge j1 { rest = [0.2, -0.17, -0.16] m turned rpy(0.15, 0.28, -1.48) rad; stiffness = 5.53 N/m; damping = [1.95, 2.24, 2.43] N*s/m; force = input; turning_stiffness = 4.04 N*m/rad; turning_friction = 0.22 N*m; turning_friction_speed = 0.2 rad/s; turning_limits = [-1.05, 0.25] rad; turning_limit_stiffness = 25.0 N*m/rad; turning_limit_damping = 1.19 N*m*s/rad; torque = input; }
-    hinge j2 { limits = [-0.74, 1.18] rad; limit_stiffness = 42.9 N*m/rad; }
-    hinge j4 { force = input; turning_stiffness = [27.11, 4.24, 8.16] N*m/rad; turning_armature = [0.41, 0.4, 0.22] kg*m^2; torque = input; }
-    hinge j5 { rest = [0.48, 0.21, -0.16] m turned quaternion(-0.03, -0.32, -0.05, 0.38); force = [3.3, 5.0, 1.3] N; turning_stiffness = 35.15 N*m/rad; turning_damping = 0.81 N*m*s/rad; turning_armature = 0.11 kg*m^2; turning_limits = 0.73 rad; turning_limit_stiffness = 17.3 N*m/rad; turning_limit_damping = 0.7 N*m*s/rad; torque = [-2.7, -3.5, -3.5] N*m; }
-    load l1 { on = b4; at = input; torque = [2.8, -6.6, -3.4] N*m; }
-    spring c1 { on = b3; at = [0.0, 0.0, 0.0] m; to = b2.output; stiffness = 37.1 N/m; force = -7.5 N; }
+    ground at [0.45, 0.0, 0.0] m -> elastic j1 -> B1 b1 -> screw(x, -0.34 m/rad) j2 -> ground at [0.08, -1.41, -0.83] m turned rpy(152.6, -22.6, -27.1) deg;
+    b1.output -> screw([1.08, -0.16, 0.0], -0.38 m/rad) j3 -> B2 b2 -> gimbal([0.0, -1.0, 0.0], [0.0, -0.47, 0.96], [0.0, 1.11, 0.28]) j4 -> B3 b3 -> elastic j5 -> B4 b4;
+    hinge j1 { rest = [-0.25, -0.05, 0.05] m turned rpy(-0.27, -0.21, 0.31) rad; turning_stiffness = 28.84 N*m/rad; turning_armature = 0.12 kg*m^2; turning_limits = [-0.58, 0.66] rad; turning_limit_stiffness = 58.8 N*m/rad; }
+    hinge j2 { motion = input; }
+    hinge j3 { torque = 4.6 N*m; }
+    hinge j4 { limits = [-0.92, 1.19] rad; limit_stiffness = 41.9 N*m/rad; }
+    hinge j5 { stiffness = [30.37, 18.43, 5.79] N/m; damping = 1.15 N*s/m; limits = [-0.96, 0.68] m; limit_stiffness = 25.2 N/m; limit_damping = 1.45 N*s/m; force = input; torque = [4.1, -0.6, 2.6] N*m; }
+    spring s1 { on = b2; at = [0.0, 0.72, 0.0] m; to = [-0.6, -1.0, -0.7] m; stiffness = 17.2 N/m; length = 1.14 m; }
+    spring s2 { on = b3; at = output; to = [1.2, -1.5, 0.4] m; stiffness = 16.0 N/m; damping = 0.28 N*s/m; }
 }
 }
 
@@ -1061,110 +1073,126 @@ pub plane chain {
 }
 
 printed! {
-    Tree20, Point, energy(state);
+    Tree20, Point, energy_with(state, inputs);
     inputs |drives| {
-        i2_j2: drives.efforts[3],
-        i2_j3: vector(&drives.efforts, [5, 6, 7, 8, 9, 10]),
-        i3_j2: drives.efforts[16],
-        i3_j3: vector(&drives.efforts, [17, 18, 19, 20, 21, 22]),
-        i4_j2: drives.efforts[28],
-        i5_limb0_j2: drives.efforts[32],
-        i4_j3: vector(&drives.efforts, [45, 46, 47, 48, 49, 50]),
-        i5_limb0_j3: vector(&drives.efforts, [53, 54, 55, 56, 57, 58]),
-        i5_l1_force: drives.loads[1].force.into(),
-        c4_force: drives.springs[3],
-        c7_force: drives.springs[6],
+        j7: floating(&drives.motions[0]),
+        i3_i1_j3: drives.efforts[14],
+        i3_i1_j4: vector(&drives.efforts, [15, 16, 17, 18, 19, 20]),
+        i3_i2_j3: drives.efforts[21],
+        i3_i2_j4: vector(&drives.efforts, [22, 23, 24, 25, 26, 27]),
+        i3_j5: drives.efforts[30],
+        i4_i1_j3: drives.efforts[49],
+        i4_i1_j4: vector(&drives.efforts, [50, 51, 52, 53, 54, 55]),
+        i4_i2_j3: drives.efforts[56],
+        i4_i2_j4: vector(&drives.efforts, [57, 58, 59, 60, 61, 62]),
+        i4_j5: drives.efforts[65],
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        i3_i1_l2_torque: drives.loads[2].torque.into(),
+        i3_i2_l2_torque: drives.loads[4].torque.into(),
+        i3_l1_torque: drives.loads[5].torque.into(),
+        i4_i1_l2_torque: drives.loads[7].torque.into(),
+        i4_i2_l2_torque: drives.loads[9].torque.into(),
+        i4_l1_torque: drives.loads[10].torque.into(),
+        c3_force: drives.springs[2],
+        i3_i1_s1_force: drives.springs[3],
+        i3_i1_s2_force: drives.springs[4],
+        i3_i2_s1_force: drives.springs[5],
+        i3_i2_s2_force: drives.springs[6],
+        i4_i1_s1_force: drives.springs[7],
+        i4_i1_s2_force: drives.springs[8],
+        i4_i2_s1_force: drives.springs[9],
+        i4_i2_s2_force: drives.springs[10],
     }
-    hinges i2_j1 i2_j2 j6 i2_j3 i2_j4 i3_j1 i3_j2 i3_j3 i3_j4 i4_j1 i4_j2 i5_limb0_j1 i5_limb0_j2 i5_j5 j7 i4_j3 i4_j4 i5_limb0_j3 i5_limb0_j4;
-    springs s1 s2 c3 c4 c5 c6 c7;
+    hinges i3_i1_j1 i3_i1_j2 i3_i2_j1 i3_i2_j2 j7 i3_i1_j3 i3_i1_j4 i3_i2_j3 i3_i2_j4 i3_j5 i3_j6 j8 j9 i4_i1_j1 i4_i1_j2 i4_i2_j1 i4_i2_j2 i4_i1_j3 i4_i1_j4 i4_i2_j3 i4_i2_j4 i4_j5 i4_j6;
+    springs c1 c2 c3 i3_i1_s1 i3_i1_s2 i3_i2_s1 i3_i2_s2 i4_i1_s1 i4_i1_s2 i4_i2_s1 i4_i2_s2;
 pub chain {
-    gravity = [0.0, -9.8, 0.0] m/s^2;
+    gravity = [0.0, 0.0, 0.0] m/s^2;
     part Limb0(size) {
     body B1 {
-        mass = size*4.43 kg;
-        com = [0.0, -0.18, 0.0] m;
-        output = [0.0, 0.0, 0.98] m turned rpy(-128.5, 173.8, 137.3) deg;
-        inertia = diag(size*0.287713, size*0.489085, size*0.327309) kg*m^2 about com;
-        point f1 = [-0.18, 0.0, 0.0] m turned rpy(124.0, 53.0, -145.6) deg;
+        mass = size*1.57 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.73, -0.01, 0.21] m turned rpy(0.0, 0.0, -90.0) deg;
+        inertia = tensor(size*0.037134, size*0.048914, size*0.070011, size*-0.00435, size*0.00176, size*-0.010544) kg*m^2 about com;
+        point f3 = [0.0, 0.0, 0.57] m turned rpy(90.0, 0.0, 0.0) deg;
+        point p1 = [0.66, 0.8, 0.95] m;
     }
     body B2 {
-        mass = size*3.4 kg;
-        com = [0.0, 0.0, 0.41] m;
-        output = [0.99, 1.03, 1.04] m turned rpy(143.3, 105.1, -101.7) deg;
-        inertia = tensor(size*0.748151, size*0.745286, size*0.098713, size*-0.000482, size*-0.009302, size*-0.024155) kg*m^2 about input;
+        mass = size*1.22 kg;
+        com = [0.0, 0.0, -0.53] m;
+        output = [1.1, -0.32, 0.96] m turned rpy(90.0, 0.0, 0.0) deg;
+        inertia = tensor(size*0.423937, size*0.428328, size*0.076872, size*-0.001331, size*-0.003187, size*-0.003822) kg*m^2 about input;
     }
     body B3 {
-        mass = size*2.75 kg;
-        com = [0.0, 0.36, 0.39] m;
-        output = [0.0, 0.74, 0.0] m;
-        inertia = tensor(size*0.805455, size*0.50705, size*0.454152, size*0.0, size*0.0, size*-0.3861) kg*m^2 about input;
+        mass = size*4.91 kg;
+        com = [-0.11, 0.0, 0.0] m;
+        output = [-1.15, -1.06, -0.14] m turned rpy(104.0, -1.3, 107.9) deg;
+        inertia = diag(size*0.182439, size*0.256609, size*0.118036) kg*m^2 about com;
+        point f2 = [0.42, 0.0, 0.0] m;
     }
-    ball j1 -> B1 b1 -> screw([-0.37, -0.26, -0.45], 0.27 m/rad) j2;
-    b1.f1 -> elastic j3 -> B2 b2 -> universal(z, [0.2, -1.4, -0.57]) j4 -> B3 b3;
-    hinge j1 { limits = 0.72 rad; limit_stiffness = 47.3 N*m/rad; }
-    hinge j2 { rest = -0.3 rad; stiffness = 14.34 N*m/rad; damping = 0.24 N*m*s/rad; friction = 0.69 N*m; friction_speed = 0.9 rad/s; torque = input; }
-    hinge j3 { damping = 0.62 N*s/m; limits = [-0.17, 0.45] m; limit_stiffness = 59.4 N/m; limit_damping = 0.34 N*s/m; force = input; torque = input; }
-    hinge j4 { torque = [-0.6, 0.1] N*m; }
-    }
-    part Limb1(side, size) {
     body B4 {
-        mass = size*3.67 kg;
-        com = [-0.08, side*0.55, 0.46] m;
-        output = [0.0, side*-0.52, 0.0] m turned rpy(-175.1, -112.9, 24.3) deg;
-        inertia = diag(size*0.302644, size*0.330123, size*0.043803) kg*m^2 about com;
+        mass = size*1.24 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [-0.12, -0.41, 0.64] m turned rpy(-43.0, -124.8, 62.7) deg;
+        inertia = tensor(size*0.154263, size*0.093782, size*0.118635, size*-0.01933, size*0.021252, size*-0.001731) kg*m^2 about input;
     }
+    elastic j1 -> B1 b1 -> screw([0.5, 0.66, 0.0], 0.51 m/rad) j2 -> B2 b2;
+    b1.output -> slider(x) j3 -> B3 b3 -> elastic j4 -> B4 b4;
+    hinge j1 { stiffness = [17.87, 2.25, 37.39] N/m; damping = 0.47 N*s/m; turning_armature = 0.68 kg*m^2; }
+    hinge j2 { damping = 0.46 N*m*s/rad; limits = [-1.04, 0.35] rad; limit_stiffness = 12.7 N*m/rad; limit_damping = 1.87 N*m*s/rad; }
+    hinge j3 { force = input; }
+    hinge j4 { force = input; torque = input; }
+    load l1 { on = b1; force = [4.0, -6.7, -7.7] N; torque = [4.6, 1.8, -1.1] N*m; }
+    load l2 { on = b3; at = [0.0, 0.0, 0.0] m; force = [-4.9, -3.0, -7.5] N; torque = input; axes = body; }
+    spring s1 { on = b1; at = p1; to = [-1.9, -1.3, 0.3] m; stiffness = 37.3 N/m; damping = 0.3 N*s/m; force = input; }
+    spring s2 { on = b4; at = input; to = [-1.2, 0.6, 0.5] m; stiffness = 16.4 N/m; damping = 2.99 N*s/m; force = input; }
+    }
+    part Limb1(size) {
     body B5 {
-        mass = size*0.79 kg;
-        com = [0.25, side*0.0, 0.0] m;
-        output = [-0.87, side*0.43, 1.12] m;
-        inertia = diag(size*0.010057, size*0.041258, size*0.042843) kg*m^2 about com;
-    }
-    Limb0(0.5) -> B4 b4 -> elastic j5 -> B5 b5;
-    hinge j5 { rest = [-0.25, 0.25, 0.08] m turned rpy(0.29, -0.05, -1.01) rad; turning_stiffness = [33.74, 38.22, 22.46] N*m/rad; turning_limits = [-1.04, 0.33] rad; turning_limit_stiffness = 39.4 N*m/rad; }
-    load l1 { on = b5; force = input; }
+        mass = size*3.21 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m turned rpy(73.6, -128.6, 133.7) deg;
+        inertia = tensor(size*0.045631, size*0.044349, size*0.046501, size*0.00529, size*0.008238, size*0.009307) kg*m^2 about input;
     }
     body B6 {
-        mass = 0.32 kg;
-        com = [0.11, 0.0, 0.0] m;
-        output = [0.0, 0.21, 0.0] m turned rpy(0.0, 180.0, -90.0) deg;
-        inertia = diag(0.022246, 0.035218, 0.015755) kg*m^2 about com;
+        mass = size*2.56 kg;
+        com = [0.0, 0.33, 0.0] m;
+        output = [-0.25, -0.99, 0.84] m;
+        inertia = diag(size*0.035225, size*0.080628, size*0.099001) kg*m^2 about com;
+    }
+    Limb0(2.0) i1 -> Limb0(0.5) i2;
+    i1.b3.f2 -> planar(z) j5 -> B5 b5 -> screw([0.73, 1.39, -0.29], -0.57 m/rad) j6 -> B6 b6;
+    hinge j5 { force = [-3.9, -0.3] N; turning_stiffness = 12.53 N*m/rad; torque = input; }
+    hinge j6 { damping = 0.67 N*m*s/rad; armature = 0.13 kg*m^2; limits = [-0.99, 0.92] rad; limit_stiffness = 41.2 N*m/rad; }
+    load l1 { on = b6; at = output; torque = input; axes = body; }
     }
     body B7 {
-        mass = 3.56 kg;
-        com = [0.44, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.74] m turned rpy(173.2, 8.4, 40.2) deg;
-        inertia = diag(0.350926, 0.204393, 0.259219) kg*m^2 about com;
-        point p1 = [-0.56, -0.27, 0.01] m;
+        mass = 4.04 kg;
+        com = [0.0, 0.0, 0.0] m;
+        output = [0.0, 0.0, 0.0] m;
+        inertia = tensor(0.092091, 0.061037, 0.06485, 0.017929, 0.004374, -0.020226) kg*m^2 about input;
     }
     body B8 {
-        mass = 0.63 kg;
-        com = [0.0, 0.0, 0.53] m;
-        output = [0.0, 0.0, 0.0] m;
-        inertia = tensor(0.018231, 0.011857, 0.021408, 0.008176, 0.002932, -0.006542) kg*m^2 about com;
+        mass = 1.96 kg;
+        com = [0.4, 0.0, 0.0] m;
+        output = [0.0, 0.42, 0.0] m turned rpy(-174.5, -152.0, -110.2) deg;
+        inertia = tensor(0.149222, 0.458053, 0.456712, 0.005825, -0.007967, 0.013141) kg*m^2 about input;
     }
     body B9 {
-        mass = 1.24 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, -0.31, 0.0] m turned rpy(90.0, -90.0, 180.0) deg;
-        inertia = diag(0.074415, 0.081542, 0.147644) kg*m^2 about input;
+        mass = 3.59 kg;
+        com = [-0.6, 0.12, -0.24] m;
+        output = [-1.18, 0.75, -1.14] m turned rpy(-141.9, -42.1, -157.2) deg;
+        inertia = tensor(0.24827, 0.255682, 0.282674, -0.009777, 0.082946, -0.015174) kg*m^2 about com;
     }
-    body B10 {
-        mass = 0.33 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 180.0) deg;
-        inertia = tensor(0.021829, 0.020345, 0.022849, 0.003369, -0.00421, -0.00275) kg*m^2 about input;
-    }
-    B6 b6 -> Limb0(2.0) i2 -> B7 b7 -> pin([-0.63, 0.72, -0.93]) j6 -> ground;
-    i2.b1.output -> Limb0(0.5) i3 -> B8 b8;
-    b6.output -> Limb0(1.0) i4 -> B9 b9 -> Limb1(-1.0, 0.5) i5 -> elastic j7 -> B10 b10;
-    load l1 { on = b7; at = [0.0, -0.47, 0.0] m; force = [-0.2, 6.0, -1.1] N; }
-    spring s1 { on = b7; at = p1; to = [-0.2, 0.4, -0.1] m; stiffness = 16.7 N/m; length = 0.5 m; force = -5.1 N; }
-    spring s2 { on = b9; at = input; to = [-1.2, -0.9, 0.9] m; stiffness = 23.2 N/m; force = 6.0 N; }
-    spring c3 { on = i2.b1; at = com; to = i5.limb0.b3.input; stiffness = 23.1 N/m; }
-    spring c4 { on = b7; at = [0.0, 0.0, 0.0] m; to = b9.input; stiffness = 32.7 N/m; damping = 2.79 N*s/m; force = input; }
-    spring c5 { on = i3.b2; at = [0.87, -0.64, -0.02] m; to = i4.b1.output; stiffness = 26.4 N/m; length = 1.12 m; }
-    spring c6 { on = i4.b1; at = [-0.35, -0.78, -0.85] m; to = i3.b1.input; stiffness = 13.7 N/m; }
-    spring c7 { on = i5.limb0.b2; at = output; to = i5.b4.input; stiffness = 25.8 N/m; length = 1.06 m; force = input; }
+    B7 b7 -> Limb1(1.0) i3 -> floating j7 -> ground;
+    i3.i2.b1.f3 -> weld j8 -> B8 b8;
+    b7.output -> planar(y) j9 -> B9 b9 -> Limb1(0.5) i4;
+    hinge j7 { rest = [-0.13, -0.21, -0.26] m turned quaternion(-0.19, -0.29, 0.33, 0.15); turning_stiffness = 6.77 N*m/rad; turning_damping = 1.69 N*m*s/rad; turning_armature = 0.53 kg*m^2; turning_limits = 1.84 rad; turning_limit_stiffness = 19.5 N*m/rad; turning_limit_damping = 1.15 N*m*s/rad; motion = input; }
+    hinge j9 { turning_damping = 0.21 N*m*s/rad; turning_limits = [-0.99, 0.91] rad; turning_limit_stiffness = 45.9 N*m/rad; }
+    load l1 { on = b7; force = input; torque = input; }
+    spring c1 { on = i3.i1.b4; at = [0.0, 0.97, 0.0] m; to = i4.b5.com; stiffness = 20.0 N/m; }
+    spring c2 { on = i3.b5; at = output; to = i4.i1.b3.input; stiffness = 18.1 N/m; damping = 1.29 N*s/m; }
+    spring c3 { on = b9; at = [0.86, -0.66, -0.45] m; to = i3.i2.b2.com; stiffness = 19.4 N/m; damping = 1.18 N*s/m; force = input; }
 }
 }
 
@@ -1229,148 +1257,80 @@ printed! {
     Tree22, Point, energy_with(state, inputs);
     inputs |drives| {
         base: space_frame(&drives.start),
-        j7: cylindrical(&drives.motions[0]),
-        j8: elastic(&drives.motions[1]),
-        i3_i1_j4: universal(&drives.motions[2]),
-        i3_i2_j2: cylindrical(&drives.motions[3]),
-        i4_j2: cylindrical(&drives.motions[4]),
-        i5_j2: cylindrical(&drives.motions[5]),
-        i6_i1_j4: universal(&drives.motions[6]),
-        i6_i2_j2: cylindrical(&drives.motions[7]),
-        i7_j2: cylindrical(&drives.motions[8]),
-        i3_i1_j5: vector(&drives.efforts, [4, 5, 6]),
-        i3_j6: vector(&drives.efforts, [13, 14]),
-        i6_i1_j5: vector(&drives.efforts, [36, 37, 38]),
-        i6_j6: vector(&drives.efforts, [45, 46]),
-        j12: drives.efforts[53],
-        l1_force: drives.loads[0].force.into(),
-        i3_i1_l1_force: drives.loads[1].force.into(),
-        i3_i1_l2_force: drives.loads[2].force.into(),
-        i3_i1_l3_force: drives.loads[3].force.into(),
-        i6_i1_l1_force: drives.loads[7].force.into(),
-        i6_i1_l2_force: drives.loads[8].force.into(),
-        i6_i1_l3_force: drives.loads[9].force.into(),
+        j3: ball(&drives.motions[0]),
+        j2: drives.efforts[0],
+        j5: vector(&drives.efforts, [4, 5, 6, 7, 8, 9]),
+        j6: drives.efforts[10],
+        l3_force: drives.loads[2].force.into(),
         s1_force: drives.springs[0],
-        c4_force: drives.springs[3],
-        c6_force: drives.springs[5],
-        i3_i1_s2_force: drives.springs[7],
-        i6_i1_s2_force: drives.springs[9],
+        s4_force: drives.springs[3],
     }
-    hinges j7 j8 i3_i2_j1 i4_j1 i3_i1_j4 i3_i1_j5 i3_i2_j2 i3_i2_j3 i3_j6 i4_j2 i4_j3 i5_j1 j9 j10 i5_j2 i5_j3 j11 i6_i2_j1 i7_j1 i6_i1_j4 i6_i1_j5 i6_i2_j2 i6_i2_j3 i6_j6 i7_j2 i7_j3 j12;
-    springs s1 c2 c3 c4 c5 c6 i3_i1_s1 i3_i1_s2 i6_i1_s1 i6_i1_s2;
+    hinges j2 j3 i1_j1 j4 j5 j6 j7;
+    springs s1 s2 s3 s4;
 pub chain {
-    gravity = [4.51, -3.72, 4.1] m/s^2;
-    part Limb0(side) {
+    gravity = [9.81, 0.0, 0.0] m/s^2;
+    part Limb0 {
+    ball j1;
+    hinge j1 { armature = 0.71 kg*m^2; friction = 1.67 N*m; friction_speed = 0.4 rad/s; limits = 1.39 rad; limit_stiffness = 32.0 N*m/rad; }
+    }
     body B1 {
-        mass = 1.13 kg;
-        com = [0.0, side*0.0, 0.54] m;
-        output = [0.0, side*0.0, 0.0] m turned rpy(-90.0, 0.0, 0.0) deg;
-        inertia = tensor(0.354533, 0.36684, 0.035423, side*-0.000795, 0.009987, side*0.005237) kg*m^2 about input;
+        mass = 4.13 kg;
+        com = [-0.47, 0.0, 0.0] m;
+        output = [0.0, 0.0, 1.1] m turned rpy(146.7, 71.2, -39.6) deg;
+        inertia = tensor(0.132913, 1.065313, 1.011078, -0.010901, -0.003371, -0.03605) kg*m^2 about input;
+        point p1 = [0.0, 0.52, 0.0] m;
     }
     body B2 {
-        mass = 3.37 kg;
-        com = [0.0, side*0.0, 0.16] m;
-        output = [0.0, side*0.0, -0.92] m turned rpy(89.0, -143.5, 83.8) deg;
-        inertia = diag(0.091544, 0.068956, 0.047954) kg*m^2 about com;
-        point f3 = [1.04, side*-0.45, 0.58] m;
+        mass = 0.48 kg;
+        com = [0.14, -0.09, 0.54] m;
+        output = [-0.04, 0.42, 1.12] m turned rpy(0.0, 0.0, -90.0) deg;
+        inertia = tensor(0.070862, 0.06066, 0.065017, -0.002268, 0.002592, -0.001688) kg*m^2 about com;
     }
     body B3 {
-        mass = 3.07 kg;
-        com = [0.0, side*0.59, 0.0] m;
-        output = [0.0, side*0.0, 0.0] m;
-        inertia = tensor(1.38326, 0.20625, 1.229252, side*0.027884, 0.021533, side*-0.074599) kg*m^2 about input;
+        mass = 3.09 kg;
+        com = [0.0, 0.0, 0.27] m;
+        output = [0.36, 0.0, 0.0] m;
+        inertia = tensor(0.37671, 0.41539, 0.216632, -0.017319, 0.058426, -0.004411) kg*m^2 about input;
     }
-    universal([-0.58, -0.58, -1.26], [-0.31, 1.47, 0.44]) j1 -> B1 b1;
-    b1.output -> cylindrical([0.0, 0.0, -1.0]) j2 -> B2 b2 -> elastic j3 -> B3 b3;
-    hinge j2 { damping = 2.43 N*s/m; armature = 0.69 kg; friction = 0.3 N; friction_speed = 0.6 m/s; limits = [-0.89, 1.14] m; limit_stiffness = 51.1 N/m; motion = input; }
-    hinge j3 { rest = [-0.05, 0.17, 0.05] m turned rpy(0.01, 0.14, -1.25) rad; stiffness = [17.32, 34.9, 33.2] N/m; armature = [0.63, 0.09, 0.29] kg; force = [0.4, 4.2, 4.9] N; turning_stiffness = [17.66, 9.85, 24.39] N*m/rad; turning_damping = [1.33, 2.51, 1.04] N*m*s/rad; turning_friction = 0.99 N*m; turning_friction_speed = 0.2 rad/s; turning_limits = [-0.86, 0.12] rad; turning_limit_stiffness = 15.5 N*m/rad; turning_limit_damping = 1.69 N*m*s/rad; torque = [1.4, -0.5, 0.8] N*m; }
-    load l1 { on = b2; at = input; force = [-6.9, 6.0, -3.4] N; }
-    }
-    part Limb1(size) {
     body B4 {
-        mass = size*1.71 kg;
-        com = [0.13, 0.53, 0.02] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-35.9, 129.5, -24.1) deg;
-        inertia = tensor(size*0.50393, size*0.056681, size*0.537341, size*-0.117819, size*-0.004446, size*-0.018126) kg*m^2 about input;
-        point f2 = [0.76, 1.17, 0.59] m turned rpy(180.0, -90.0, 180.0) deg;
+        mass = 3.61 kg;
+        com = [-0.44, 0.26, -0.3] m;
+        output = [-0.17, -1.12, 0.11] m turned rpy(0.0, 0.0, -90.0) deg;
+        inertia = tensor(0.72144, 1.230547, 1.176183, 0.386359, -0.43864, 0.271609) kg*m^2 about input;
+        point f2 = [0.0, 1.1, 0.0] m;
     }
     body B5 {
-        mass = size*3.26 kg;
-        com = [0.0, 0.0, 0.0] m;
-        output = [0.5, -0.19, -0.14] m turned rpy(0.0, 0.0, -90.0) deg;
-        inertia = tensor(size*0.028685, size*0.064576, size*0.056519, size*0.015263, size*0.008141, size*-0.001305) kg*m^2 about input;
-        point f6 = [0.0, 0.0, 0.0] m turned rpy(83.0, -33.8, -56.4) deg;
-        point p1 = [0.93, 0.0, 0.0] m;
+        mass = 1.31 kg;
+        com = [-0.24, 0.14, -0.32] m;
+        output = [0.0, 0.0, 0.82] m turned rpy(-90.0, 90.0, 180.0) deg;
+        inertia = tensor(0.24482, 0.306238, 0.19199, 0.055457, -0.092322, 0.050755) kg*m^2 about input;
     }
     body B6 {
-        mass = size*3.12 kg;
-        com = [0.11, 0.26, 0.14] m;
-        output = [0.47, -0.96, -0.05] m turned rpy(41.6, 10.0, 119.6) deg;
-        inertia = tensor(size*0.227484, size*0.120798, size*0.139159, size*0.022984, size*-0.000344, size*0.061209) kg*m^2 about com;
+        mass = 3.87 kg;
+        com = [0.0, -0.38, 0.0] m;
+        output = [1.16, 0.0, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
+        inertia = diag(0.619783, 0.106219, 0.694408) kg*m^2 about input;
     }
-    B4 b4;
-    b4.f2 -> universal([0.0, 0.0, -1.0], [0.88, 0.3, 0.13]) j4 -> B5 b5 -> planar(x) j5 -> B6 b6;
-    hinge j4 { damping = 0.57 N*m*s/rad; armature = [0.17, 0.29] kg*m^2; limits = [-0.9, 1.04] rad; limit_stiffness = 23.2 N*m/rad; motion = input; }
-    hinge j5 { force = input; turning_stiffness = 34.8 N*m/rad; turning_damping = 1.73 N*m*s/rad; turning_limits = [-0.67, 0.36] rad; turning_limit_stiffness = 56.0 N*m/rad; turning_limit_damping = 0.9 N*m*s/rad; torque = input; }
-    load l1 { on = b4; force = input; axes = body; }
-    load l2 { on = b5; at = output; force = input; axes = body; }
-    load l3 { on = b6; force = input; axes = body; }
-    spring s1 { on = b5; at = p1; to = [-1.6, -0.6, 0.6] m; stiffness = 31.9 N/m; damping = 1.24 N*s/m; length = 0.38 m; }
-    spring s2 { on = b6; at = [0.0, 0.0, 0.0] m; to = [0.7, -0.6, 1.5] m; stiffness = 10.2 N/m; force = input; }
-    }
-    part Limb2(side, size) {
     body B7 {
-        mass = size*3.61 kg;
-        com = [-0.51, side*0.57, 0.4] m;
-        output = [0.96, side*0.86, -0.43] m;
-        inertia = tensor(size*1.857064, size*1.716477, size*2.277173, size*side*1.049427, size*0.73644, size*side*-0.82308) kg*m^2 about input;
-    }
-    Limb1(1.0) i1 -> Limb0(-1.0) i2;
-    i2.b2.f3 -> cylindrical([-1.32, -0.4, -1.11]) j6 -> B7 b7;
-    hinge j6 { force = input; torque = input; }
-    }
-    body B8 {
-        mass = 4.24 kg;
-        com = [0.31, 0.19, 0.2] m;
-        output = [-0.09, 0.5, -1.12] m turned rpy(15.1, 48.7, -60.5) deg;
-        inertia = tensor(0.592167, 0.837699, 0.978508, -0.248326, -0.305334, -0.173151) kg*m^2 about input;
-    }
-    body B9 {
-        mass = 4.55 kg;
-        com = [0.0, 0.0, 0.34] m;
-        output = [-0.26, 0.01, 0.06] m;
-        inertia = tensor(0.250727, 0.295435, 0.240763, 0.050311, -0.052334, 0.008534) kg*m^2 about com;
-        point p1 = [0.09, -0.16, -0.67] m;
-    }
-    body B10 {
-        mass = 3.85 kg;
-        com = [0.51, 0.43, -0.11] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(0.0, 90.0, 0.0) deg;
-        inertia = tensor(0.152952, 0.110615, 0.067266, 0.015282, -0.010943, -0.024059) kg*m^2 about com;
-    }
-    body B11 {
-        mass = 2.25 kg;
+        mass = 3.21 kg;
         com = [0.0, 0.0, 0.0] m;
-        output = [-0.5, -1.15, -0.23] m turned rpy(0.0, 180.0, 0.0) deg;
-        inertia = tensor(0.329382, 0.304654, 0.289957, 0.012905, -0.018905, 0.006077) kg*m^2 about com;
+        output = [1.04, 1.01, 0.02] m;
+        inertia = diag(0.160884, 0.347524, 0.325421) kg*m^2 about input;
     }
-    moving base -> cylindrical([-0.67, -1.33, 1.22]) j7 -> B8 b8 -> elastic j8 -> Limb2(1.0, 0.5) i3 -> Limb0(1.0) i4;
-    i4.b3.output -> Limb0(1.0) i5 -> screw([0.0, -1.0, 0.0], 0.19 m/rad) j9 -> B9 b9 -> screw([0.89, 1.08, 1.08], -0.34 m/rad) j10 -> B10 b10;
-    i3.i2.b2.output -> screw(z, 0.26 m/rad) j11 -> Limb2(1.0, 0.5) i6 -> Limb0(1.0) i7;
-    i3.i1.b5.f6 -> cylindrical([-0.37, -0.85, -0.48]) j12 -> B11 b11;
-    hinge j7 { turning_stiffness = 24.4 N*m/rad; turning_damping = 2.11 N*m*s/rad; turning_armature = 0.22 kg*m^2; turning_friction = 1.34 N*m; turning_friction_speed = 0.5 rad/s; turning_limits = [-0.23, 0.5] rad; turning_limit_stiffness = 12.7 N*m/rad; turning_limit_damping = 0.87 N*m*s/rad; motion = input; }
-    hinge j8 { motion = input; }
-    hinge j9 { rest = -0.17 rad; stiffness = 36.08 N*m/rad; damping = 2.23 N*m*s/rad; }
-    hinge j10 { rest = -1.15 rad; stiffness = 38.73 N*m/rad; damping = 2.54 N*m*s/rad; armature = 0.53 kg*m^2; }
-    hinge j11 { torque = -4.4 N*m; }
-    hinge j12 { rest = -0.36 m turned -1.23 rad; stiffness = 37.42 N/m; friction = 1.95 N; friction_speed = 0.5 m/s; force = input; turning_damping = 0.53 N*m*s/rad; turning_friction = 0.35 N*m; turning_friction_speed = 0.3 rad/s; turning_limits = [-0.19, 0.38] rad; turning_limit_stiffness = 20.5 N*m/rad; torque = 4.0 N*m; }
-    load l1 { on = b9; at = p1; force = input; axes = body; }
-    spring s1 { on = b11; at = [0.34, 0.0, 0.0] m; to = [-1.6, -1.7, 1.6] m; stiffness = 1.2 N/m; damping = 0.11 N*s/m; force = input; }
-    spring c2 { on = b8; at = input; to = b11.input; stiffness = 23.9 N/m; }
-    spring c3 { on = i3.i2.b1; at = [0.0, 0.0, 0.0] m; to = i6.i1.b5.output; stiffness = 13.2 N/m; damping = 2.2 N*s/m; length = 0.73 m; }
-    spring c4 { on = i3.i2.b2; at = [0.24, 0.0, 0.0] m; to = i3.i1.b6.output; stiffness = 16.3 N/m; length = 0.26 m; force = input; }
-    spring c5 { on = i5.b1; at = [0.07, 0.9, 0.63] m; to = i5.b3.input; stiffness = 26.8 N/m; length = 0.27 m; }
-    spring c6 { on = b11; at = [0.0, 0.0, 0.0] m; to = i6.b7.output; stiffness = 28.6 N/m; length = 1.1 m; force = input; }
+    moving base -> slider(y) j2 -> B1 b1 -> ball j3 -> B2 b2 -> Limb0 i1 -> B3 b3;
+    b1.input -> weld j4 -> B4 b4 -> floating j5 -> B5 b5;
+    b4.f2 -> cylindrical(x) j6 -> B6 b6 -> floating j7 -> B7 b7;
+    hinge j2 { force = input; }
+    hinge j3 { motion = input; }
+    hinge j5 { force = input; torque = input; }
+    hinge j6 { rest = 0.22 m turned -0.81 rad; force = input; turning_stiffness = 18.3 N*m/rad; turning_armature = 0.07 kg*m^2; turning_friction = 0.32 N*m; turning_friction_speed = 0.7 rad/s; torque = -1.6 N*m; }
+    load l1 { on = b1; at = p1; force = [-8.0, 6.8, -4.0] N; }
+    load l2 { on = b2; at = output; force = [-3.9, -6.2, -5.9] N; }
+    load l3 { on = b3; at = [0.0, 0.0, 0.0] m; force = input; axes = body; }
+    spring s1 { on = b1; at = [0.34, 0.0, 0.0] m; to = [-1.6, -1.7, 1.6] m; stiffness = 1.2 N/m; damping = 0.11 N*s/m; force = input; }
+    spring s2 { on = b2; at = com; to = [-0.2, 1.0, -1.7] m; stiffness = 13.2 N/m; damping = 2.2 N*s/m; length = 0.73 m; }
+    spring s3 { on = b3; at = [0.94, 0.0, 0.0] m; to = [1.2, -0.4, 0.1] m; stiffness = 11.8 N/m; }
+    spring s4 { on = b5; at = com; to = [1.0, -0.4, -1.4] m; stiffness = 15.0 N/m; length = 0.7 m; force = input; }
 }
 }
 
@@ -1378,104 +1338,32 @@ printed! {
     Tree23, Point, energy_with(state, inputs);
     inputs |drives| {
         tip: space_frame(&drives.finish),
-        j6: slider(&drives.motions[0]),
-        i4_i1_j3: vector(&drives.efforts, [9, 10, 11]),
-        j5: vector(&drives.efforts, [12, 13, 14, 15, 16, 17]),
-        i3_j2: vector(&drives.efforts, [18, 19, 20]),
-        i4_i2_j2: vector(&drives.efforts, [33, 34, 35]),
-        j7: vector(&drives.efforts, [36, 37]),
-        j8: vector(&drives.efforts, [38, 39, 40, 41, 42, 43]),
-        i4_l1_force: drives.loads[2].force.into(),
-        c2_force: drives.springs[1],
-        i3_s1_force: drives.springs[3],
-        i3_s2_force: drives.springs[4],
-        i4_i2_s1_force: drives.springs[5],
-        i4_i2_s2_force: drives.springs[6],
-        gravity: drives.gravity.into(),
+        j2: drives.efforts[18],
     }
-    hinges i3_j1 i4_i1_j3 j5 j6 i3_j2 i4_i2_j1 i4_j4 i4_i2_j2 j7 j8;
-    springs s1 c2 c3 i3_s1 i3_s2 i4_i2_s1 i4_i2_s2;
+    hinges limb0_j1 i2_j1 i3_j1 j2;
+    springs c1;
 pub chain {
-    gravity = input;
-    part Limb0(side, size) {
+    gravity = [-0.62, -3.12, -3.83] m/s^2;
+    part Limb0(size) {
     body B1 {
-        mass = size*0.77 kg;
-        com = [0.0, side*0.0, 0.21] m;
-        output = [0.0, side*-0.46, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
-        inertia = diag(size*0.033213, size*0.018107, size*0.049442) kg*m^2 about com;
+        mass = size*1.42 kg;
+        com = [-0.47, -0.31, -0.26] m;
+        output = [0.0, 0.0, 0.48] m turned rpy(0.0, -90.0, 90.0) deg;
+        inertia = tensor(size*0.340471, size*0.594641, size*0.577763, size*-0.215654, size*-0.168076, size*-0.156703) kg*m^2 about input;
+    }
+    B1 b1 -> floating j1;
+    hinge j1 { turning_damping = 2.47 N*m*s/rad; }
     }
     body B2 {
-        mass = size*1.61 kg;
-        com = [-0.04, side*-0.15, 0.05] m;
-        output = [0.0, side*-0.42, 0.0] m turned rpy(180.0, 0.0, 180.0) deg;
-        inertia = tensor(size*0.091367, size*0.051253, size*0.094994, size*side*-0.01609, size*0.000457, size*side*0.00979) kg*m^2 about input;
-        point f3 = [0.0, side*0.0, 0.0] m turned rpy(0.0, 0.0, 180.0) deg;
-        point p1 = [0.0, 0.0, 0.0] m;
+        mass = 1.87 kg;
+        com = [-0.2, -0.37, -0.58] m;
+        output = [0.0, 0.87, 0.0] m turned rpy(90.0, 180.0, 0.0) deg;
+        inertia = tensor(1.129553, 0.849738, 0.437756, -0.13838, -0.21692, -0.401302) kg*m^2 about input;
     }
-    floating j1 -> B1 b1;
-    b1.input -> planar(x) j2 -> B2 b2;
-    hinge j2 { limits = [-0.11, 1.1] m; limit_stiffness = 9.3 N/m; force = input; turning_damping = 1.23 N*m*s/rad; turning_armature = 0.17 kg*m^2; turning_limits = [-0.27, 0.1] rad; turning_limit_stiffness = 10.1 N*m/rad; torque = input; }
-    spring s1 { on = b1; at = input; to = [1.7, 0.2, -1.6] m; stiffness = 33.8 N/m; damping = 2.05 N*s/m; force = input; }
-    spring s2 { on = b2; at = p1; to = [-1.8, 1.0, -1.2] m; stiffness = 14.9 N/m; force = input; }
-    }
-    part Limb1 {
-    floating j3;
-    hinge j3 { force = [1.1, 2.7, 1.6] N; turning_friction = 0.9 N*m; turning_friction_speed = 0.7 rad/s; turning_limits = 1.63 rad; turning_limit_stiffness = 5.8 N*m/rad; torque = input; }
-    }
-    part Limb2(size) {
-    body B3 {
-        mass = size*3.91 kg;
-        com = [0.0, 0.0, 0.17] m;
-        output = [0.0, 0.38, 0.0] m turned rpy(-29.6, 23.6, 168.9) deg;
-        inertia = tensor(size*0.245842, size*0.156208, size*0.214308, size*0.017325, size*-0.001057, size*0.084105) kg*m^2 about com;
-    }
-    body B4 {
-        mass = size*1.1 kg;
-        com = [-0.34, 0.0, 0.0] m;
-        output = [0.0, 0.18, 0.0] m;
-        inertia = diag(size*0.052176, size*0.060025, size*0.069318) kg*m^2 about com;
-        point p1 = [0.0, 0.59, 0.0] m;
-    }
-    Limb1 i1 -> B3 b3;
-    b3.output -> Limb0(1.0, 2.0) i2 -> floating j4 -> B4 b4;
-    hinge j4 { rest = [-0.43, -0.35, 0.17] m turned quaternion(-0.44, -0.23, -0.06, 0.02); stiffness = 13.57 N/m; damping = [2.36, 1.44, 2.2] N*s/m; friction = 0.53 N; friction_speed = 0.5 m/s; limits = [-0.58, 0.89] m; limit_stiffness = 47.9 N/m; turning_stiffness = 23.92 N*m/rad; turning_damping = 1.61 N*m*s/rad; turning_limits = 2.18 rad; turning_limit_stiffness = 18.3 N*m/rad; turning_limit_damping = 1.67 N*m*s/rad; }
-    load l1 { on = b4; at = p1; force = input; axes = body; }
-    }
-    body B5 {
-        mass = 3.85 kg;
-        com = [-0.38, 0.16, 0.13] m;
-        output = [-0.44, 1.11, 0.73] m;
-        inertia = tensor(0.351227, 0.822577, 0.924115, 0.23408, 0.19019, -0.08008) kg*m^2 about input;
-    }
-    body B6 {
-        mass = 2.15 kg;
-        com = [-0.31, 0.0, 0.0] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(180.0, 0.0, 90.0) deg;
-        inertia = diag(0.214797, 0.363791, 0.276176) kg*m^2 about input;
-    }
-    body B7 {
-        mass = 0.33 kg;
-        com = [-0.58, 0.0, 0.0] m;
-        output = [0.55, 0.0, 0.0] m;
-        inertia = diag(0.017131, 0.126102, 0.117831) kg*m^2 about input;
-    }
-    body B8 {
-        mass = 4.28 kg;
-        com = [0.02, 0.48, -0.23] m;
-        output = [-0.91, 0.33, 0.04] m turned rpy(0.0, 0.0, -90.0) deg;
-        inertia = tensor(1.386882, 0.267145, 1.157845, -0.041088, 0.019688, 0.472512) kg*m^2 about input;
-    }
-    B5 b5 -> Limb0(1.0, 2.0) i3 -> Limb2(2.0) i4 -> elastic j5 -> B6 b6 -> slider([-1.25, -1.3, -0.68]) j6 -> moving tip;
-    i4.i2.b2.f3 -> cylindrical(y) j7 -> B7 b7 -> floating j8 -> B8 b8;
-    hinge j5 { force = input; torque = input; }
-    hinge j6 { stiffness = 1.3 N/m; damping = 1.58 N*s/m; motion = input; }
-    hinge j7 { force = input; torque = input; }
-    hinge j8 { stiffness = [12.64, 16.2, 8.37] N/m; damping = 0.17 N*s/m; armature = [0.35, 0.26, 0.54] kg; friction = 0.35 N; friction_speed = 0.6 m/s; force = input; torque = input; }
-    load l1 { on = b5; at = input; torque = [-2.0, 3.3, -4.8] N*m; }
-    load l2 { on = b7; at = output; torque = [4.8, -5.7, -1.5] N*m; axes = body; }
-    spring s1 { on = b7; at = [-0.62, -0.98, -0.82] m; to = [-1.2, 0.0, 0.3] m; stiffness = 35.0 N/m; length = 0.88 m; }
-    spring c2 { on = i3.b1; at = input; to = i3.b2.output; stiffness = 17.3 N/m; force = input; }
-    spring c3 { on = b8; at = [0.04, -0.98, 0.26] m; to = i3.b2.com; stiffness = 6.6 N/m; damping = 1.56 N*s/m; }
+    Limb0(1.0) -> Limb0(0.5) i2 -> Limb0(1.0) i3 -> moving tip;
+    limb0.b1.output -> pin([0.0, -1.0, 0.0]) j2 -> B2 b2;
+    hinge j2 { rest = 0.22 rad; stiffness = 18.68 N*m/rad; damping = 1.71 N*m*s/rad; armature = 0.68 kg*m^2; torque = input; }
+    spring c1 { on = b2; at = [0.0, 0.0, 0.0] m; to = limb0.b1.input; stiffness = 4.6 N/m; force = -7.5 N; }
 }
 }
 
@@ -1483,77 +1371,122 @@ printed! {
     Tree24, Point, energy_with(state, inputs);
     inputs |drives| {
         tip: space_frame(&drives.finish),
-        j6: planar(&drives.motions[0]),
-        i4_i3_j3: vector(&drives.efforts, [0, 1, 2]),
-        i4_i3_i1_j2: drives.efforts[7],
-        i5_j2: drives.efforts[12],
-        i4_i3_i2_j2: drives.efforts[18],
-        i4_i3_s2_force: drives.springs[2],
+        i3_limb0_j2: drives.efforts[16],
+        i3_j4: drives.efforts[17],
+        i3_j5: vector(&drives.efforts, [18, 19]),
+        i3_j6: vector(&drives.efforts, [20, 21]),
+        i3_i2_j2: drives.efforts[30],
+        i4_j2: drives.efforts[39],
+        j10: vector(&drives.efforts, [47, 48]),
+        i5_j2: drives.efforts[60],
+        i6_j2: drives.efforts[69],
+        l1_force: drives.loads[0].force.into(),
+        l1_torque: drives.loads[0].torque.into(),
+        l2_force: drives.loads[1].force.into(),
+        l3_force: drives.loads[2].force.into(),
+        l3_torque: drives.loads[2].torque.into(),
+        i3_l1_torque: drives.loads[3].torque.into(),
+        i3_l2_force: drives.loads[4].force.into(),
+        i3_l2_torque: drives.loads[4].torque.into(),
+        gravity: drives.gravity.into(),
     }
-    hinges i4_i3_j3 i4_i3_i1_j1 i4_i3_i1_j2 i5_j1 i5_j2 j5 i4_i3_i2_j1 i4_i3_i2_j2 i4_i3_j4 j6 j7;
-    springs s1 i4_i3_s1 i4_i3_s2;
+    hinges j7 i3_j3 i3_limb0_j1 i3_limb0_j2 i3_j4 i3_j5 i3_j6 i3_i2_j1 i3_i2_j2 i4_j1 i4_j2 j8 j9 j10 j11 i5_j1 i5_j2 i6_j1 i6_j2;
+    springs c1 c2 c3 c4;
 pub chain {
-    gravity = [0.0, 0.0, 0.0] m/s^2;
-    part Limb0(size) {
+    gravity = input;
+    part Limb0(side) {
     body B1 {
-        mass = size*4.3 kg;
-        com = [-0.29, 0.22, -0.56] m;
-        output = [0.0, 0.0, 0.0] m turned rpy(-47.2, 156.3, 89.9) deg;
-        inertia = tensor(size*1.620904, size*1.813388, size*0.660498, size*0.27434, size*-0.69832, size*0.52976) kg*m^2 about input;
+        mass = 0.54 kg;
+        com = [-0.22, side*-0.03, 0.22] m;
+        output = [0.18, side*0.0, 0.0] m turned rpy(109.9, 98.1, 0.5) deg;
+        inertia = diag(0.033894, 0.039966, 0.017032) kg*m^2 about com;
+        point f2 = [0.26, side*0.0, 0.0] m turned rpy(0.0, -90.0, 0.0) deg;
     }
     body B2 {
-        mass = size*2.52 kg;
-        com = [-0.52, -0.3, 0.55] m;
-        output = [0.0, 0.0, 0.29] m turned rpy(149.0, 90.1, -35.2) deg;
-        inertia = diag(size*0.22474, size*0.244797, size*0.062885) kg*m^2 about com;
+        mass = 3.63 kg;
+        com = [-0.46, side*-0.43, 0.2] m;
+        output = [-1.16, side*0.28, 0.76] m turned rpy(-46.1, -29.1, 35.4) deg;
+        inertia = tensor(1.351555, 1.291193, 1.757821, side*-0.59933, 0.35475, side*0.3225) kg*m^2 about input;
     }
-    cylindrical([-1.0, 0.0, 0.0]) j1 -> B1 b1 -> planar(x) j2 -> B2 b2;
-    hinge j1 { turning_armature = 0.35 kg*m^2; turning_friction = 0.19 N*m; turning_friction_speed = 0.1 rad/s; }
-    hinge j2 { force = [4.6, 0.5] N; torque = input; }
+    elastic j1 -> B1 b1 -> planar(z) j2 -> B2 b2;
+    hinge j1 { rest = [-0.2, -0.21, -0.05] m turned rpy(-0.01, 0.02, 0.35) rad; stiffness = [36.47, 26.83, 37.78] N/m; armature = [0.08, 0.3, 0.13] kg; friction = 1.88 N; friction_speed = 0.8 m/s; }
+    hinge j2 { rest = [0.39, 0.39] m turned 0.89 rad; stiffness = 29.9 N/m; armature = 0.55 kg; limits = [-0.44, 0.28] m; limit_stiffness = 25.8 N/m; limit_damping = 1.89 N*s/m; force = [4.5, -4.9] N; turning_stiffness = 35.74 N*m/rad; turning_damping = 1.64 N*m*s/rad; torque = input; }
     }
-    part Limb1(size) {
+    part Limb1(side) {
     body B3 {
-        mass = size*4.1 kg;
-        com = [0.09, -0.37, 0.25] m;
-        output = [-1.02, -0.36, 0.01] m turned rpy(180.0, 90.0, 180.0) deg;
-        inertia = diag(size*0.082037, size*0.114433, size*0.110752) kg*m^2 about com;
+        mass = 1.07 kg;
+        com = [0.0, side*-0.46, 0.0] m;
+        output = [-0.29, side*0.53, 0.84] m turned rpy(133.7, -11.4, 101.3) deg;
+        inertia = diag(0.23053, 0.090024, 0.318547) kg*m^2 about input;
     }
     body B4 {
-        mass = size*0.49 kg;
-        com = [-0.46, 0.0, 0.0] m;
-        output = [0.0, 0.0, -0.64] m turned rpy(0.0, 0.0, 180.0) deg;
-        inertia = diag(size*0.013044, size*0.0264, size*0.029149) kg*m^2 about com;
-    }
-    ball j3 -> B3 b3 -> Limb0(0.5) i1;
-    b3.output -> Limb0(0.5) i2 -> pin(x) j4 -> B4 b4;
-    hinge j3 { limits = 2.15 rad; limit_stiffness = 20.8 N*m/rad; limit_damping = 0.34 N*m*s/rad; torque = input; }
-    hinge j4 { stiffness = 33.59 N*m/rad; armature = 0.39 kg*m^2; friction = 1.37 N*m; friction_speed = 0.6 rad/s; limits = [-0.17, 0.19] rad; limit_stiffness = 56.0 N*m/rad; torque = -1.7 N*m; }
-    load l1 { on = b4; at = output; torque = [-7.1, 1.8, -5.9] N*m; axes = body; }
-    spring s1 { on = b3; at = output; to = [-1.6, -0.7, 1.5] m; stiffness = 34.0 N/m; damping = 2.74 N*s/m; }
-    spring s2 { on = b4; at = input; to = [-0.6, -0.1, 1.4] m; stiffness = 32.2 N/m; damping = 0.46 N*s/m; force = input; }
-    }
-    part Limb2 {
-    Limb1(0.5) i3;
+        mass = 0.41 kg;
+        com = [0.23, side*0.0, 0.0] m;
+        output = [0.81, side*0.09, 0.28] m;
+        inertia = tensor(0.033694, 0.078597, 0.051214, side*0.000471, 0.003069, side*-0.004382) kg*m^2 about input;
     }
     body B5 {
-        mass = 2.44 kg;
-        com = [0.0, -0.16, 0.0] m;
-        output = [1.12, -0.17, -1.18] m turned rpy(0.0, 180.0, 180.0) deg;
-        inertia = tensor(0.244002, 0.202213, 0.243558, 0.011259, -0.077996, -0.035223) kg*m^2 about com;
+        mass = 0.98 kg;
+        com = [0.07, side*-0.6, -0.17] m;
+        output = [-0.98, side*-0.64, 0.45] m;
+        inertia = diag(0.138136, 0.081764, 0.062489) kg*m^2 about com;
+        point f4 = [0.08, side*0.71, 0.63] m turned rpy(144.9, 124.4, -168.8) deg;
+    }
+    elastic j3 -> B3 b3 -> Limb0(-1.0) -> slider([0.0, -1.0, 0.0]) j4;
+    limb0.b1.input -> cylindrical([-0.68, -0.32, 0.9]) j5 -> B4 b4;
+    limb0.b1.f2 -> universal([-1.32, -0.95, 1.04], x) j6 -> B5 b5 -> Limb0(1.0) i2;
+    hinge j3 { turning_damping = [1.35, 0.14, 2.72] N*m*s/rad; turning_friction = 1.66 N*m; turning_friction_speed = 0.9 rad/s; }
+    hinge j4 { force = input; }
+    hinge j5 { force = input; turning_stiffness = 21.09 N*m/rad; turning_damping = 1.39 N*m*s/rad; turning_armature = 0.66 kg*m^2; torque = input; }
+    hinge j6 { rest = [-1.07, 0.39] rad; stiffness = 35.02 N*m/rad; damping = 2.64 N*m*s/rad; armature = 0.63 kg*m^2; friction = 0.97 N*m; friction_speed = 0.4 rad/s; torque = input; }
+    load l1 { on = b3; at = output; torque = input; axes = body; }
+    load l2 { on = b5; at = input; force = input; torque = input; axes = body; }
     }
     body B6 {
-        mass = 2.44 kg;
-        com = [-0.51, 0.29, 0.52] m;
-        output = [0.0, 0.91, 0.0] m turned rpy(180.0, 180.0, 180.0) deg;
-        inertia = tensor(0.066157, 0.081224, 0.127524, -0.031824, -0.000812, 0.016985) kg*m^2 about com;
+        mass = 0.83 kg;
+        com = [0.0, -0.35, 0.0] m;
+        output = [0.0, -1.11, 0.0] m;
+        inertia = tensor(0.159514, 0.062176, 0.185007, -0.007589, 0.013183, -0.017045) kg*m^2 about input;
     }
-    ground at [-0.73, 0.0, 0.0] m turned rpy(90.0, 0.0, 0.0) deg -> Limb2 i4 -> Limb0(0.5) i5 -> pin(x) j5 -> moving tip;
-    i4.i3.b4.input -> planar(x) j6 -> B5 b5 -> universal([0.0, -1.0, 0.0], [1.41, 0.0, -0.11]) j7 -> B6 b6;
-    hinge j5 { torque = 0.4 N*m; }
-    hinge j6 { stiffness = 38.48 N/m; damping = [0.26, 2.04] N*s/m; limits = [-0.11, 0.66] m; limit_stiffness = 30.8 N/m; limit_damping = 0.18 N*s/m; turning_damping = 0.75 N*m*s/rad; turning_friction = 1.17 N*m; turning_friction_speed = 0.6 rad/s; turning_limits = [-0.46, 1.1] rad; turning_limit_stiffness = 56.6 N*m/rad; motion = input; }
-    hinge j7 { stiffness = [29.14, 24.24] N*m/rad; armature = 0.07 kg*m^2; }
-    load l1 { on = b5; at = output; torque = [2.1, 3.3, 8.0] N*m; }
-    spring s1 { on = b5; at = [0.04, -0.62, -0.79] m; to = [0.2, -0.4, 1.9] m; stiffness = 23.4 N/m; length = 0.21 m; }
+    body B7 {
+        mass = 0.92 kg;
+        com = [0.56, -0.21, -0.42] m;
+        output = [0.0, -1.05, 0.0] m turned rpy(0.0, 180.0, -90.0) deg;
+        inertia = tensor(0.236147, 0.516879, 0.397084, 0.108192, 0.216384, -0.081144) kg*m^2 about input;
+    }
+    body B8 {
+        mass = 4.12 kg;
+        com = [0.0, 0.0, 0.11] m;
+        output = [0.0, 0.0, 0.31] m turned rpy(-90.0, 0.0, 0.0) deg;
+        inertia = diag(0.196143, 0.215925, 0.19595) kg*m^2 about input;
+    }
+    body B9 {
+        mass = 1.76 kg;
+        com = [0.47, 0.57, 0.56] m;
+        output = [-1.05, -1.16, 0.02] m turned rpy(0.0, 180.0, 0.0) deg;
+        inertia = tensor(0.033098, 0.021891, 0.023491, -0.004292, -0.005519, 0.003066) kg*m^2 about com;
+        point p1 = [0.0, -0.57, 0.0] m;
+    }
+    body B10 {
+        mass = 3.05 kg;
+        com = [0.4, 0.14, 0.21] m;
+        output = [0.63, 1.0, -1.14] m;
+        inertia = tensor(0.341695, 0.206237, 0.243676, 0.073309, 0.010722, -0.010505) kg*m^2 about com;
+    }
+    ground at [0.71, 1.31, 1.43] m -> universal([0.26, -1.37, 0.0], [0.64, -0.42, -0.67]) j7 -> B6 b6 -> Limb1(1.0) i3 -> moving tip;
+    i3.limb0.b1.f2 -> Limb0(1.0) i4 -> pin([0.0, -1.0, 0.0]) j8 -> B7 b7 -> elastic j9 -> B8 b8;
+    i3.b5.f4 -> universal(z, x) j10 -> B9 b9 -> gimbal([0.29, 1.2, 0.72], [0.41, 0.38, 0.0], z) j11 -> B10 b10;
+    i4.b2.output -> Limb0(-1.0) i5 -> Limb0(1.0) i6;
+    hinge j7 { stiffness = 22.34 N*m/rad; damping = 1.03 N*m*s/rad; limits = [-0.25, 1.15] rad; limit_stiffness = 27.2 N*m/rad; torque = [0.5, 0.9] N*m; }
+    hinge j9 { rest = [0.18, 0.17, -0.12] m turned rpy(0.19, 0.04, 1.24) rad; stiffness = 18.82 N/m; friction = 0.45 N; friction_speed = 0.1 m/s; limits = [-0.96, 0.15] m; limit_stiffness = 51.7 N/m; limit_damping = 0.54 N*s/m; turning_stiffness = [20.2, 20.74, 10.18] N*m/rad; turning_damping = 2.04 N*m*s/rad; turning_friction = 0.44 N*m; turning_friction_speed = 0.9 rad/s; }
+    hinge j10 { torque = input; }
+    load l1 { on = b7; force = input; torque = input; axes = body; }
+    load l2 { on = b8; at = output; force = input; torque = [-1.8, 1.5, 3.1] N*m; axes = body; }
+    load l3 { on = b9; at = p1; force = input; torque = input; }
+    spring c1 { on = i3.b5; at = [0.0, -0.84, 0.0] m; to = i5.b1.input; stiffness = 3.6 N/m; damping = 2.82 N*s/m; }
+    spring c2 { on = i4.b1; at = [-0.27, 0.0, 0.0] m; to = i3.b5.com; stiffness = 9.3 N/m; length = 0.67 m; }
+    spring c3 { on = b8; at = com; to = i4.b2.input; stiffness = 19.1 N/m; force = -2.1 N; }
+    spring c4 { on = i6.b1; at = [0.54, -0.38, 0.89] m; to = i3.i2.b1.com; stiffness = 25.4 N/m; damping = 2.14 N*s/m; length = 1.33 m; force = -7.3 N; }
 }
 }
 

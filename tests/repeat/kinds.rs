@@ -50,6 +50,15 @@ twins! {
         hinge e1, e2 { start = [10, 20] deg; start_rate = [1, 2]; }
     };
 
+    gimbal: Ringed RingedByTransfer {
+        ground -> repeat 2 { gimbal(x, [1, 0, 2], y) a -> Rod b -> pin(z) c -> Cube d };
+        hinge a { start = [10, 20, -30] deg; start_rate = [1, 2, -1]; }
+    } = RingedOut {
+        ground -> gimbal(x, [1, 0, 2], y) a1 -> Rod b1 -> pin(z) c1 -> Cube d1
+            -> gimbal(x, [1, 0, 2], y) a2 -> Rod b2 -> pin(z) c2 -> Cube d2;
+        hinge a1, a2 { start = [10, 20, -30] deg; start_rate = [1, 2, -1]; }
+    };
+
     ball_planar: Threefold {
         ground -> repeat 2 { ball a -> Rod b -> planar(x) c -> Cube d };
         hinge a { start = rpy(10, -20, 30) deg; start_rate = [1, 2, 3]; }

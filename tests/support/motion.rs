@@ -1,8 +1,8 @@
 //! Motions that the reference prescribes, in the words of the generated inputs.
 
 use mstmm::{
-    BallState, CylindricalState, ElasticState, FloatingState, HingeMotion, PinState, PlanarState,
-    PlaneElasticState, ScrewState, SliderState, UniversalState,
+    BallState, CylindricalState, ElasticState, FloatingState, GimbalState, HingeMotion, PinState,
+    PlanarState, PlaneElasticState, ScrewState, SliderState, UniversalState,
 };
 use mstmm_reference::{FrameMotion, HingeMotion as Motion};
 use nalgebra::SVector;
@@ -36,6 +36,11 @@ pub fn cylindrical(of: &Motion) -> HingeMotion<CylindricalState<f64>, SVector<f6
 
 pub fn universal(of: &Motion) -> HingeMotion<UniversalState<f64>, SVector<f64, 2>> {
     let state = UniversalState::new(part(&of.q, 0), part(&of.v, 0));
+    HingeMotion { state, acceleration: part(&of.a, 0).into() }
+}
+
+pub fn gimbal(of: &Motion) -> HingeMotion<GimbalState<f64>, SVector<f64, 3>> {
+    let state = GimbalState::new(part(&of.q, 0), part(&of.v, 0));
     HingeMotion { state, acceleration: part(&of.a, 0).into() }
 }
 

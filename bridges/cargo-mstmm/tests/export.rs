@@ -123,6 +123,7 @@ fn what_urdf_does_not_have_is_refused_by_name() {
     let cases = [
         ("ground -> ball a -> Rod rod", "", "hinge `a`: URDF has no ball joints"),
         ("ground -> universal a -> Rod rod", "", "hinge `a`: URDF has no universal joints"),
+        ("ground -> gimbal a -> Rod rod", "", "hinge `a`: URDF has no gimbals"),
         ("ground -> cylindrical a -> Rod rod", "", "hinge `a`: URDF has no cylindrical joints"),
         ("ground -> screw(y, 1 mm/rev) a -> Rod rod", "", "hinge `a`: URDF has no screw joints"),
         ("ground -> elastic a -> Rod rod", "", "hinge `a`: URDF has no elastic joints"),

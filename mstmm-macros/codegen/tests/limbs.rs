@@ -90,6 +90,7 @@ fn robot(random: &mut Random) -> String {
             "pin([0.6, 0, 0.8])",
             "slider(y)",
             "universal(x, y)",
+            "gimbal",
             "ball",
             "cylindrical(z)",
         ]);

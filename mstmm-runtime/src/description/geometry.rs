@@ -19,8 +19,8 @@ pub struct SpringEnd<T> {
 ///
 /// It passes through the origin of a connection point of the hinge. A slider translates along its axis, a pin rotates
 /// about its axis, a screw and a cylindrical hinge do both. A universal hinge rotates about its first axis, which is fixed
-/// on the inboard side, then about its second axis, which is fixed on the outboard side. A planar hinge rotates about its
-/// normal.
+/// on the inboard side, then about its second axis, which is fixed on the outboard side. Of a gimbal these are the first
+/// and the third axis; the axis between them is fixed on neither side. A planar hinge rotates about its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HingeAxis<T> {
     /// The index of the connection point in [`Description::points`](super::Description::points) whose frame it is fixed

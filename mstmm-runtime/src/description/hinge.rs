@@ -197,8 +197,8 @@ impl Hinge {
         quaternions.next().map(|(_, [_, high])| *high).filter(|high| !high.is_nan())
     }
 
-    /// Returns the number of its axes: two of a universal hinge; one of a pin, a slider, a screw, a cylindrical and a planar
-    /// hinge; none of others and of the motion of a moving end.
+    /// Returns the number of its axes that are fixed on one side: two of a universal hinge and of a gimbal; one of a pin, a
+    /// slider, a screw, a cylindrical and a planar hinge; none of others and of the motion of a moving end.
     ///
     /// [`Described::hinge_axis`](super::Described::hinge_axis) returns an axis.
     #[must_use]

@@ -4,8 +4,8 @@ use core::slice;
 
 use crate::origin::is_not_finite;
 use crate::{
-    BallState, CylindricalState, ElasticState, FloatingState, HingeMotion, PinState, PlanarState,
-    PlaneElasticState, Scalar, ScrewState, SliderState, UniversalState,
+    BallState, CylindricalState, ElasticState, FloatingState, GimbalState, HingeMotion, PinState,
+    PlanarState, PlaneElasticState, Scalar, ScrewState, SliderState, UniversalState,
 };
 
 /// Copies the scalars of inputs from or to a slice, in the order of the calls.
@@ -112,6 +112,7 @@ views! {
     CylindricalState(position, angle, velocity, rate);
     ElasticState(displacement, angles, velocity, rate);
     FloatingState(position, orientation, velocity, rate);
+    GimbalState(angles, rates);
     PinState(angle, rate);
     PlanarState(position, angle, velocity, rate);
     PlaneElasticState(displacement, angle, velocity, rate);

@@ -62,6 +62,12 @@ pub enum HingeKind {
         /// The second axis, in outboard components; not parallel to the first.
         second: [f64; 3],
     },
+    /// Three rotations, each about an axis that moves with the rotations before it. The coordinates are
+    /// the angles, the rates are their derivatives, and each effort is a torque about its axis.
+    Gimbal {
+        /// The axes in the position where all angles are zero; successive ones are not parallel.
+        axes: [[f64; 3]; 3],
+    },
     /// Any rotation. The coordinates are a quaternion (w, x, y, z) that transforms outboard
     /// components into inboard components. The rates are the angular velocity in rad/s of the
     /// outboard side relative to the inboard side, and the efforts are a torque in N·m on the
@@ -226,7 +232,7 @@ impl HingeKind {
             HingeKind::Slider { .. } | HingeKind::LineFloating | HingeKind::LineElastic => (1, 0),
             HingeKind::Cylindrical { .. } => (1, 1),
             HingeKind::Universal { .. } => (0, 2),
-            HingeKind::Ball => (0, 3),
+            HingeKind::Ball | HingeKind::Gimbal { .. } => (0, 3),
             HingeKind::Planar { .. } | HingeKind::PlaneFloating | HingeKind::PlaneElastic => (2, 1),
             HingeKind::Floating | HingeKind::Elastic => (3, 3),
         }

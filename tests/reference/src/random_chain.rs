@@ -159,6 +159,7 @@ pub(crate) fn random_hinge(random: &mut Random, name: String, recipe: &Recipe) -
         }
         (HingeChoice::Cylindrical, _) => HingeKind::Cylindrical { axis: random_axis(random) },
         (HingeChoice::Universal, _) => random_universal(random),
+        (HingeChoice::Gimbal, _) => random_gimbal(random),
         (HingeChoice::Planar, Dimension::Plane) => HingeKind::Planar { normal: Axis::Z },
         (HingeChoice::Planar, _) => {
             HingeKind::Planar { normal: *random.choose(&[Axis::X, Axis::Y, Axis::Z]) }
@@ -210,6 +211,17 @@ fn random_universal(random: &mut Random) -> HingeKind {
         let [a, b] = [first, second].map(|axis| Vec3::from(axis).normalize());
         if a.cross(&b).norm() > 0.5 {
             return HingeKind::Universal { first, second };
+        }
+    }
+}
+
+/// Returns a gimbal with successive axes at least 30 degrees apart.
+fn random_gimbal(random: &mut Random) -> HingeKind {
+    loop {
+        let axes = [0; 3].map(|_| random_axis(random));
+        let [a, b, c] = axes.map(|axis| Vec3::from(axis).normalize());
+        if a.cross(&b).norm().min(b.cross(&c).norm()) > 0.5 {
+            return HingeKind::Gimbal { axes };
         }
     }
 }

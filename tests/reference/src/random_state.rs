@@ -7,8 +7,10 @@ use crate::hinge::{Hinge, HingeKind, Source};
 use crate::mechanism::Mechanism;
 use crate::random::{Random, round_to};
 use crate::random_chain::flattened;
+use crate::relative::gimbal_regularity;
 use crate::rotation::{self, Mat3, Vec3};
 use std::f64::consts::PI;
+use std::iter;
 
 /// The largest number of states that are tried.
 const TRIES: usize = 3000;
@@ -20,6 +22,8 @@ const STRENGTH: f64 = 0.1;
 const FASTEST: f64 = 10.0;
 /// The largest of the small angles of an elastic hinge, in rad.
 const SMALL_ANGLE: f64 = 0.6;
+/// The smallest regularity of a gimbal: its rates are high where its axes are almost in one plane.
+const LEAST_REGULARITY: f64 = 0.5;
 /// The smallest distance of coordinates from limits, where efforts can jump, in m or rad.
 const MARGIN: f64 = 1e-3;
 /// The smallest distance of rotations with a spring from half a turn, where its torque jumps, in rad.
@@ -101,6 +105,11 @@ pub(crate) fn random_coordinates(random: &mut Random, kind: &HingeKind) -> Vec<f
         HingeKind::Ball | HingeKind::Floating => {
             shifts(random, 1.0);
             q.extend(random_quaternion(random));
+        }
+        HingeKind::Gimbal { axes } => {
+            let mut angles = || [0.0; 3].map(|_: f64| random.between(-PI, PI));
+            let regular = |q: &[f64; 3]| gimbal_regularity(axes, q) > LEAST_REGULARITY;
+            q.extend(iter::repeat_with(&mut angles).find(regular).expect("half of all angles"));
         }
         _ => {
             shifts(random, 1.0);
@@ -260,8 +269,12 @@ fn accepted(chain: &Chain, drives: &Drives, guess: State) -> Option<State> {
 
 /// Returns whether the coordinates of a hinge are far from jumps of its efforts.
 fn fits(hinge: &Hinge, q: &[f64]) -> bool {
-    let small = hinge.kind != HingeKind::Elastic || q[3].abs().max(q[4].abs()) <= SMALL_ANGLE;
-    small
+    let regular = match &hinge.kind {
+        HingeKind::Elastic => q[3].abs().max(q[4].abs()) <= SMALL_ANGLE,
+        HingeKind::Gimbal { axes } => gimbal_regularity(axes, q) > LEAST_REGULARITY,
+        _ => true,
+    };
+    regular
         && hinge.groups().into_iter().enumerate().all(|(number, (group, strained))| {
             let range = group.limits.as_ref().map(|limits| limits.range);
             if number == 1 && hinge.kind.has_quaternion() {

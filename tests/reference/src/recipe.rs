@@ -43,6 +43,8 @@ pub enum HingeChoice {
     Cylindrical,
     /// Universal hinges, whose axes need not be perpendicular.
     Universal,
+    /// Gimbals, whose axes need not be perpendicular.
+    Gimbal,
     /// Planar hinges.
     Planar,
     /// Floating hinges, without constraints.
@@ -120,7 +122,7 @@ impl Ends {
 
 impl HingeChoice {
     /// All of them.
-    pub const ALL: [HingeChoice; 10] = [
+    pub const ALL: [HingeChoice; 11] = [
         HingeChoice::Weld,
         HingeChoice::Pin,
         HingeChoice::Ball,
@@ -128,6 +130,7 @@ impl HingeChoice {
         HingeChoice::Screw,
         HingeChoice::Cylindrical,
         HingeChoice::Universal,
+        HingeChoice::Gimbal,
         HingeChoice::Planar,
         HingeChoice::Floating,
         HingeChoice::Elastic,

@@ -53,6 +53,17 @@ impl HingeKind {
                 bias = turn(first.cross(&carried) * (v[0] * v[1]));
                 vec![turn(first), turn(carried)]
             }
+            HingeKind::Gimbal { axes } => {
+                let [first, second, third] = gimbal_axes(axes, q);
+                let at = |i: usize, j: usize| v[i] * v[j];
+                // Each axis rotates with the angles before it.
+                bias = turn(
+                    first.cross(&second) * at(0, 1)
+                        + first.cross(&third) * at(0, 2)
+                        + second.cross(&third) * at(1, 2),
+                );
+                vec![turn(first), turn(second), turn(third)]
+            }
             HingeKind::Ball => in_outboard_axes(),
             HingeKind::Planar { normal } => planar_directions(*normal),
             HingeKind::PlaneFloating | HingeKind::PlaneElastic => planar_directions(Axis::Z),
@@ -85,6 +96,10 @@ impl HingeKind {
                 let [first, second] = [(first, q[0]), (second, q[1])]
                     .map(|(axis, angle)| rotation::about_axis(&unit(axis), angle));
                 (first * second, nowhere)
+            }
+            HingeKind::Gimbal { axes } => {
+                let about = |k: usize| rotation::about_axis(&unit(&axes[k]), q[k]);
+                (about(0) * about(1) * about(2), nowhere)
             }
             HingeKind::Ball => (rotation::from_quaternion(&q[..4]), nowhere),
             HingeKind::Planar { normal } => planar_pose(*normal, q),
@@ -123,6 +138,7 @@ impl HingeKind {
             HingeKind::Universal { first, second } => {
                 universal_angles(&unit(first), &unit(second), rotation, near)
             }
+            HingeKind::Gimbal { axes } => gimbal_angles(axes, rotation, near),
             HingeKind::Ball => quaternion(near).to_vec(),
             HingeKind::Planar { normal } => {
                 let [first, second] = planar_axes(*normal);
@@ -205,6 +221,56 @@ fn universal_angles(first: &Vec3, second: &Vec3, rotation: &Mat3, near: &[f64]) 
     let first_angle = first.cross(&across).dot(&carried).atan2(across.dot(&carried));
     let rest = rotation::about_axis(first, -first_angle) * rotation;
     vec![on(first_angle, near[0]), on(rotation::angle_about(second, &rest), near[1])]
+}
+
+/// Returns the axes of a gimbal in a position, in inboard components.
+fn gimbal_axes(axes: &[[f64; 3]; 3], q: &[f64]) -> [Vec3; 3] {
+    let [first, second, third] = axes.map(|axis| unit(&axis));
+    let outer = rotation::about_axis(&first, q[0]);
+    let inner = outer * rotation::about_axis(&second, q[1]);
+    [first, outer * second, inner * third]
+}
+
+/// Returns how far the axes of a gimbal are from one plane: the volume between them relative to the
+/// largest one at other angles, from zero to one.
+pub(crate) fn gimbal_regularity(axes: &[[f64; 3]; 3], q: &[f64]) -> f64 {
+    let [first, second, third] = gimbal_axes(axes, q);
+    let largest = first.cross(&second).norm() * second.cross(&third).norm();
+    first.dot(&second.cross(&third)).abs() / largest
+}
+
+/// Returns the three angles of a gimbal.
+///
+/// The angle between the first and the third axis depends only on the second angle, and has each of its
+/// values at two of them.
+fn gimbal_angles(axes: &[[f64; 3]; 3], rotation: &Mat3, near: &[f64]) -> Vec<f64> {
+    let on = |angle: f64, near: f64| angle + TAU * ((near - angle) / TAU).round();
+    let [first, second, third] = axes.map(|axis| unit(&axis));
+    let carried = rotation * third;
+    // first · third = along + across cos(angle) + beyond sin(angle)
+    let along = first.dot(&second) * second.dot(&third);
+    let (across, beyond) = (first.dot(&third) - along, first.dot(&second.cross(&third)));
+    let middle = beyond.atan2(across);
+    let cosine = (first.dot(&carried) - along) / across.hypot(beyond);
+    let half = cosine.clamp(-1.0, 1.0).acos();
+    let angles = |second_angle: f64| {
+        let inner = rotation::about_axis(&second, second_angle);
+        let start = inner * third;
+        let [from, to] = [start, carried].map(|axis| axis - first * first.dot(&axis));
+        let first_angle = first.dot(&from.cross(&to)).atan2(from.dot(&to));
+        let outer = rotation::about_axis(&first, first_angle);
+        let rest = (outer * inner).transpose() * rotation;
+        let third_angle = rotation::angle_about(&third, &rest);
+        [first_angle, second_angle, third_angle]
+    };
+    let both = [middle - half, middle + half].map(|second_angle| {
+        let angles = angles(second_angle);
+        let nearest: Vec<f64> = angles.iter().zip(near).map(|(&a, &near)| on(a, near)).collect();
+        let distance: f64 = nearest.iter().zip(near).map(|(a, b)| (a - b).powi(2)).sum();
+        (nearest, distance)
+    });
+    let [(one, to_one), (other, to_other)] = both;
+    if to_one < to_other { one } else { other }
 }
 
 /// Returns Δ and the angles of an elastic hinge.

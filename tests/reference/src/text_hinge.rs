@@ -20,6 +20,10 @@ pub(crate) fn word(kind: &HingeKind, dimension: Dimension) -> String {
         HingeKind::Universal { first, second } => {
             format!("universal({}, {})", written_axis(first, flat), written_axis(second, flat))
         }
+        HingeKind::Gimbal { axes } => {
+            let [first, second, third] = axes.each_ref().map(|axis| written_axis(axis, flat));
+            format!("gimbal({first}, {second}, {third})")
+        }
         HingeKind::Ball => "ball".to_owned(),
         HingeKind::Planar { .. } if flat => "planar".to_owned(),
         HingeKind::Planar { normal } => {

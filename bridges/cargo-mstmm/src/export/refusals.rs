@@ -34,6 +34,7 @@ fn of_body(body: &Body) -> Option<String> {
 fn of_hinge(hinge: &Hinge, values: &Values) -> Option<String> {
     let reason = match &hinge.kind {
         HingeKind::Universal { .. } => "URDF has no universal joints",
+        HingeKind::Gimbal { .. } => "URDF has no gimbals",
         HingeKind::Ball => "URDF has no ball joints",
         HingeKind::Cylindrical { .. } => "URDF has no cylindrical joints",
         HingeKind::Screw { .. } => "URDF has no screw joints",

@@ -10,8 +10,8 @@ const RESERVED: &str = "
     final fn for gen if impl in let loop macro match mod move mut override priv pub ref return self
     static struct super trait true try type typeof unsafe unsized use virtual where while yield
     answers at body chain from gravity ground hinge last load method moving param part repeat
-    results shape spring turned weld pin slider screw cylindrical universal ball planar floating
-    elastic com input output
+    results shape spring turned weld pin slider screw cylindrical universal gimbal ball planar
+    floating elastic com input output
 ";
 
 /// Names of types that a chain generates in addition to those of its bodies.

@@ -228,7 +228,10 @@ fn hinge(drawing: &Drawing, camera: &Camera, element: usize, hinge: &Hinge) -> S
     let [x, y] = inboard;
     let sign = match hinge.kind {
         HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
-        HingeKind::Pin { .. } | HingeKind::Screw { .. } | HingeKind::Universal { .. } => {
+        HingeKind::Pin { .. }
+        | HingeKind::Screw { .. }
+        | HingeKind::Universal { .. }
+        | HingeKind::Gimbal { .. } => {
             format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill-opacity=\"0.15\"")
         }
         HingeKind::Ball => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\""),

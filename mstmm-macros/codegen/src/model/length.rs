@@ -27,7 +27,7 @@ pub(super) fn margin(square: Value) -> Value {
 }
 
 /// Returns a value that is positive unless the two axes are parallel.
-pub(super) fn sine_margin([a, b]: &[[Value; 3]; 2]) -> Value {
+pub(super) fn sine_margin([a, b]: [&[Value; 3]; 2]) -> Value {
     let products = a.iter().zip(b).map(|(a, b)| a.clone().times(b.clone()));
     let product = products.reduce(Value::plus).unwrap_or_else(|| Value::number(0.0));
     // The part of b perpendicular to a; its length is |b| times the sine of the angle between them.

@@ -207,10 +207,13 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
     let lengths = hinge.kind.axes().iter().map(|axis| length::squared(axis));
     let mut checks: Vec<Check> =
         lengths.filter_map(|square| of_length(square, &format!("the axis of {owner}"))).collect();
-    if let HingeKind::Universal { axes } = &hinge.kind {
-        let reason = format!("must not leave the axes of {owner} parallel");
-        checks.extend(Check::new(length::sine_margin(axes), Bound::BePositive, reason));
-    }
+    checks.extend(hinge.kind.successive_axes().into_iter().filter_map(|axes| {
+        let reason = match hinge.kind {
+            HingeKind::Universal { .. } => format!("must not leave the axes of {owner} parallel"),
+            _ => format!("must not leave successive axes of {owner} parallel"),
+        };
+        Check::new(length::sine_margin(axes), Bound::BePositive, reason)
+    }));
     checks.extend(of_pitch(hinge, &owner));
     for (strain, passive) in hinge.passive.iter().enumerate() {
         let numbers = PASSIVE

@@ -19,6 +19,7 @@ pub(super) const HINGES: &[&str] = &[
     "screw",
     "cylindrical",
     "universal",
+    "gimbal",
     "ball",
     "planar",
     "floating",

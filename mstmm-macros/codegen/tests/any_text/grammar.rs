@@ -97,7 +97,7 @@ const SPACE: Dimension = Dimension {
     body: "body Rod { mass = 1; com = [1, 0, 0]; output = [2, 0, 0];
         inertia = diag(1, 1, 1) about com; shape = box([1, 2, 3]) turned rpy(1, 0, 0); point tip = [1, 1, 1]; }",
     hinges: "pin(x)|ball|weld|slider([1, 2, 3])|screw(z, 0.1)|elastic|cylindrical(x)|universal(x, y)\
-        |planar(z)|floating|pin([1, 0.5, 0])",
+        |gimbal(z, y, x)|planar(z)|floating|pin([1, 0.5, 0])",
     starts: "ground|moving hand|ground at [1, 0, 0] turned rpy(1, 0, 0)|Rod b9",
     ends: "pin(x) h9 -> ground at [3, 0, 0]|elastic h9 -> moving tool|floating h9 -> ground",
     of_hinges: "damping = K;|motion = input;|stiffness = 2;|friction = 1; friction_speed = 1e-3;\

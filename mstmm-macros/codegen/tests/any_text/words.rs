@@ -6,7 +6,7 @@ use proptest::sample::select;
 
 pub const WORDS: &str = "chain space plane line pub gravity method riccati transfer results poses velocities \
     energies param body hinge load spring point ground moving repeat from last part at turned about input output com pin ball weld slider \
-    screw cylindrical universal planar floating elastic diag tensor matrix rpy quaternion sqrt sin \
+    screw cylindrical universal gimbal planar floating elastic diag tensor matrix rpy quaternion sqrt sin \
     cos box cylinder capsule sphere mesh radius PI x y z kg m s rad deg N";
 
 /// Names that many texts have in common, so that some are given and used.

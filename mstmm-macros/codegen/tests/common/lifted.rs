@@ -160,6 +160,7 @@ impl Lift {
                 self.value(pitch);
             }
             HingeKind::Universal { axes } => axes.iter_mut().for_each(|axis| self.all(axis)),
+            HingeKind::Gimbal { axes } => axes.iter_mut().for_each(|axis| self.all(axis)),
             _ => {}
         }
         self.all(&mut hinge.rest);

@@ -96,6 +96,10 @@ fn coordinate_pose(kind: &HingeKind, q: &[Jet]) -> Pose {
         HingeKind::Universal { first, second } => {
             turned(product(about(unit(first), q[0]), about(unit(second), q[1])))
         }
+        HingeKind::Gimbal { axes: [first, second, third] } => {
+            let later = product(about(unit(second), q[1]), about(unit(third), q[2]));
+            turned(product(about(unit(first), q[0]), later))
+        }
         HingeKind::Ball => turned(quaternion(q)),
         HingeKind::Planar { normal } => planar(*normal, q),
         HingeKind::PlaneFloating => planar(Axis::Z, q),

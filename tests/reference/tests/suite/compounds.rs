@@ -31,6 +31,10 @@ fn compounds() -> Vec<(HingeKind, Pieces)> {
             HingeKind::Universal { first: askew, second: [1.0, 0.2, 0.0] },
             vec![(pin(askew), 0), (pin([1.0, 0.2, 0.0]), 1)],
         ),
+        (
+            HingeKind::Gimbal { axes: [askew, [1.0, 0.2, 0.0], [0.0, -0.5, 1.0]] },
+            vec![(pin(askew), 0), (pin([1.0, 0.2, 0.0]), 1), (pin([0.0, -0.5, 1.0]), 2)],
+        ),
         (HingeKind::Planar { normal: Axis::Y }, vec![(slider(Z), 0), (slider(X), 1), (pin(Y), 2)]),
         (HingeKind::Floating, shifts(0).chain([(HingeKind::Ball, 3)]).collect()),
         (HingeKind::Elastic, elastic),

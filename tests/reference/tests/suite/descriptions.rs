@@ -138,6 +138,7 @@ fn text_of_the_words_for_hinges() {
         (HingeKind::Screw { axis: askew, pitch: -0.01 }, "screw([0.5, 0.0, -1.0], -0.01 m/rad)"),
         (HingeKind::Cylindrical { axis }, "cylindrical(z)"),
         (HingeKind::Universal { first: axis, second: askew }, "universal(z, [0.5, 0.0, -1.0])"),
+        (HingeKind::Gimbal { axes: [axis, axis, askew] }, "gimbal(z, z, [0.5, 0.0, -1.0])"),
         (HingeKind::Planar { normal: Axis::Y }, "planar(y)"),
         (HingeKind::Floating, "floating"),
         (HingeKind::Elastic, "elastic"),

@@ -4,8 +4,8 @@ use crate::samples::{
     Case, assert_close, central_inertia, cube, flat_case, hinge, matrix, plain_cases,
 };
 use mstmm_reference::{
-    Chain, Dimension, Drives, Element, Ends, Gravity, HingeChoice, HingeKind, Random, Recipe,
-    Sample, Source, State, random_mechanism, random_motion, simulate,
+    Chain, Dimension, Drives, Element, Ends, Gravity, Hinge, HingeChoice, HingeKind, Random,
+    Recipe, Sample, Source, State, random_mechanism, random_motion, simulate,
 };
 use nalgebra::Vector3;
 
@@ -43,7 +43,22 @@ fn conservative_case(seed: u64, dimension: Dimension, ends: Ends, kinds: &[Hinge
     let mut chain = random_mechanism(&mut random, &name, &recipe);
     conserve(&mut chain);
     let (state, drives) = random_motion(&mut random, &chain);
+    hold_gimbals(&mut chain, &state);
     Case { chain, state, drives }
+}
+
+/// Holds gimbals by springs where they start: their axes must not come near one plane.
+fn hold_gimbals(chain: &mut Chain, state: &State) {
+    let mut first = state.q.len() - chain.hinges().map(Hinge::coordinates).sum::<usize>();
+    for element in &mut chain.elements {
+        let Element::Hinge(hinge) = element else { continue };
+        let count = hinge.coordinates();
+        if let HingeKind::Gimbal { .. } = hinge.kind {
+            hinge.turning.stiffness = vec![600.0, 800.0, 700.0];
+            hinge.rest = state.q[first..first + count].to_vec();
+        }
+        first += count;
+    }
 }
 
 /// Removes everything that changes the energy of a chain except input motors.

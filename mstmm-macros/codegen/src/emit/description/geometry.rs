@@ -118,12 +118,13 @@ fn element(cx: &EmitContext, id: HingeId) -> Option<usize> {
     cx.chain.elements.iter().position(|it| *it == Element::Hinge(id))
 }
 
-/// Returns the axes of a hinge, with the normal of a planar one.
+/// Returns the axes of a hinge that are fixed on one of its sides, with the normal of a planar one.
 fn axes(hinge: &Hinge) -> Vec<[Value; 3]> {
-    match hinge.kind {
+    match &hinge.kind {
         HingeKind::Planar { normal } => {
-            vec![[0, 1, 2].map(|axis| Value::number(if axis == normal { 1.0 } else { 0.0 }))]
+            vec![[0, 1, 2].map(|axis| Value::number(if axis == *normal { 1.0 } else { 0.0 }))]
         }
+        HingeKind::Gimbal { axes: [a, _, c] } => vec![a.clone(), c.clone()],
         _ => hinge.kind.axes().to_vec(),
     }
 }

@@ -6,7 +6,7 @@ use super::super::{EmitContext, quaternions};
 use super::dynamics::of_accelerations;
 use super::{MethodTemplate, fallible, negative_products, of_state_and_inputs};
 use crate::compile::outputs;
-use crate::model::Answer;
+use crate::model::{Answer, Representation};
 use crate::program::OutputId;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -119,7 +119,8 @@ pub(super) fn set_state(cx: &EmitContext) -> TokenStream {
     let mut rotations = Vec::new();
     for (hinge, free) in cx.chain.hinges.enumerate().filter(|(_, hinge)| !hinge.is_prescribed()) {
         for group in free.kind.spec().groups {
-            if group.rotational && group.rates.len() == 3 {
+            let is_angular_velocity = group.representation != Representation::Numbers;
+            if group.rotational && group.rates.len() == 3 && is_angular_velocity {
                 let first = cx.layout.v[hinge].start + group.rates.start;
                 let segment = layout.segment_of(first);
                 let start = segment.offset + first - segment.first;

@@ -1,9 +1,9 @@
 //! The laws of all hinge kinds.
 
 use super::{
-    HingeLaw, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating, pin::Pin,
-    planar::Planar, plane_elastic::PlaneElastic, screw::Screw, slider::Slider,
-    universal::Universal, weld::Weld,
+    HingeLaw, ball::Ball, cylindrical::Cylindrical, elastic::Elastic, floating::Floating,
+    gimbal::Gimbal, pin::Pin, planar::Planar, plane_elastic::PlaneElastic, screw::Screw,
+    slider::Slider, universal::Universal, weld::Weld,
 };
 use crate::math::Scalar;
 use crate::model::HingeKind;
@@ -18,6 +18,7 @@ impl HingeKind {
             HingeKind::Screw { axis, pitch } => Box::new(Screw { axis, pitch }),
             HingeKind::Cylindrical { axis } => Box::new(Cylindrical { axis }),
             HingeKind::Universal { axes } => Box::new(Universal { axes }),
+            HingeKind::Gimbal { axes } => Box::new(Gimbal { axes }),
             HingeKind::Ball => Box::new(Ball),
             HingeKind::Planar { normal } => Box::new(Planar { normal: *normal }),
             HingeKind::Floating => Box::new(Floating),

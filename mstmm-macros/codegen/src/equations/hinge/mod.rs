@@ -16,6 +16,7 @@ mod displacement;
 mod elastic;
 mod floating;
 mod force_laws;
+mod gimbal;
 mod kinds;
 mod law;
 mod passive_elements;
@@ -119,6 +120,11 @@ impl<S: Scalar> SubspaceColumn<S> {
     /// Returns the same entries fixed on the outboard side.
     fn outboard(self) -> Self {
         SubspaceColumn { frame: ColumnFrame::Outboard, ..self }
+    }
+
+    /// Returns the same entries fixed in the middle frame.
+    fn middle(self) -> Self {
+        SubspaceColumn { frame: ColumnFrame::Middle, ..self }
     }
 }
 

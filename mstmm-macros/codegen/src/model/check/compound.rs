@@ -38,7 +38,9 @@ fn compound(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> Option<&'static 
         }
         [Pin { axis: a }, Pin { axis: b }, Pin { axis: c }] => {
             let (a, b, c) = (along(a)?, along(b)?, along(c)?);
-            (a.dot(b.cross(c)).abs() > ALIKE).then_some("ball")
+            let at_right_angles = a.dot(b).abs() < ALIKE && b.dot(c).abs() < ALIKE;
+            let kind = if at_right_angles { "gimbal" } else { "ball" };
+            (a.dot(b.cross(c)).abs() > ALIKE).then_some(kind)
         }
         _ => None,
     }

@@ -42,20 +42,25 @@ pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
     hinges(draft).flat_map(direction).collect()
 }
 
-/// Requires that the axes of a universal hinge are not parallel.
-pub(super) fn universal_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
+/// Requires that successive axes of a universal hinge and of a gimbal are not parallel.
+pub(super) fn successive_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
     let not_parallel = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
-        let HingeKind::Universal { axes: [a, b] } = &hinge.value else { return None };
-        let at = argument(hinge, arguments, 1);
-        let sine = length::sine_margin(&[scaled(a), scaled(b)]);
-        let message = "the two axes of a universal hinge must not be parallel";
-        Some(vec![
-            Condition::silent(square(a), Bound::BePositive, at),
-            Condition::silent(square(b), Bound::BePositive, at),
-            Condition::new(sine, Bound::BePositive, at, message),
-        ])
+        let message = match hinge.value {
+            HingeKind::Universal { .. } => "the two axes of a universal hinge must not be parallel",
+            _ => "successive axes of a gimbal must not be parallel",
+        };
+        let pair = |(index, [a, b]): (usize, [&[Value; 3]; 2])| {
+            let at = argument(hinge, arguments, index + 1);
+            let sine = length::sine_margin([&scaled(a), &scaled(b)]);
+            vec![
+                Condition::silent(square(a), Bound::BePositive, at),
+                Condition::silent(square(b), Bound::BePositive, at),
+                Condition::new(sine, Bound::BePositive, at, message),
+            ]
+        };
+        hinge.value.successive_axes().into_iter().enumerate().map(pair).collect::<Vec<_>>()
     };
-    hinges(draft).filter_map(not_parallel).collect()
+    hinges(draft).flat_map(not_parallel).collect()
 }
 
 /// Returns the squared length of an axis, which is scaled if it is known.

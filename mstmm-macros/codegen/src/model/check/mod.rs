@@ -31,7 +31,7 @@ const NUMBER_RULES: &[NumberRule] = &[
     inertia::moments_are_not_negative,
     inertia::inertias_are_physical,
     hinge::axes_have_a_direction,
-    hinge::universal_axes_are_not_parallel,
+    hinge::successive_axes_are_not_parallel,
     hinge::elastic_pitches_are_less_than_a_right_angle,
     passive::passive_values_are_not_negative,
     passive::speeds_and_limits_are_positive,

@@ -6,6 +6,7 @@ mod ball;
 mod cylindrical;
 mod elastic;
 mod floating;
+mod gimbal;
 mod pin;
 mod planar;
 mod plane_elastic;
@@ -79,6 +80,12 @@ pub enum HingeKind {
     Universal {
         /// The axis fixed on the inboard side, and the one fixed on the outboard side.
         axes: [[Value; 3]; 2],
+    },
+    /// Rotations about three axes, each of which the rotations before it move: the first is fixed on
+    /// the inboard side, the last on the outboard side; coordinates: the angles in rad.
+    Gimbal {
+        /// The axes in the zero position, components the same on both sides.
+        axes: [[Value; 3]; 3],
     },
     /// Spherical: all rotations; coordinates: the unit quaternion (w, x, y, z) that rotates
     /// outboard into inboard components; rates: angular velocity of the outboard side relative to
@@ -194,12 +201,22 @@ impl HingeKind {
             | HingeKind::Screw { axis, .. }
             | HingeKind::Cylindrical { axis } => std::slice::from_ref(axis),
             HingeKind::Universal { axes } => axes,
+            HingeKind::Gimbal { axes } => axes,
             HingeKind::Weld
             | HingeKind::Ball
             | HingeKind::Planar { .. }
             | HingeKind::Floating
             | HingeKind::Elastic
             | HingeKind::PlaneElastic => &[],
+        }
+    }
+
+    /// Returns the pairs of successive axes, which must not be parallel.
+    pub fn successive_axes(&self) -> Vec<[&[Value; 3]; 2]> {
+        match self {
+            HingeKind::Universal { axes: [a, b] } => vec![[a, b]],
+            HingeKind::Gimbal { axes: [a, b, c] } => vec![[a, b], [b, c]],
+            _ => Vec::new(),
         }
     }
 
@@ -213,6 +230,7 @@ impl HingeKind {
             | HingeKind::Slider { .. }
             | HingeKind::Cylindrical { .. }
             | HingeKind::Universal { .. }
+            | HingeKind::Gimbal { .. }
             | HingeKind::Ball
             | HingeKind::Planar { .. }
             | HingeKind::Floating
@@ -230,6 +248,7 @@ impl HingeKind {
             HingeKind::Screw { .. } => &screw::SPEC,
             HingeKind::Cylindrical { .. } => &cylindrical::SPEC,
             HingeKind::Universal { .. } => &universal::SPEC,
+            HingeKind::Gimbal { .. } => &gimbal::SPEC,
             HingeKind::Ball => &ball::SPEC,
             HingeKind::Planar { .. } => &planar::SPEC,
             HingeKind::Floating => &floating::SPEC,

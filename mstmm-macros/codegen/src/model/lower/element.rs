@@ -45,6 +45,8 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("hinge", "pin"),
     ("cardan", "universal"),
     ("hooke", "universal"),
+    ("euler", "gimbal"),
+    ("rpy", "gimbal"),
     ("helical", "screw"),
     ("bushing", "elastic"),
     ("spring", "elastic"),

@@ -81,6 +81,11 @@ fn axes_have_directions_of_their_own() {
     let by_default = format!("{message}, with its parameters' defaults");
     expect_hinge("universal(x, [ratio, 0, 0])", "", &[("[ratio, 0, 0]", &by_default)]);
     expect_hinge("universal(x, [1e-200, 1e-200, 0])", "", &[]);
+    expect_hinge("gimbal(x, -x, z)", "", &[("-x", message)]);
+    expect_hinge("gimbal(x, z, [0, 0, 2])", "", &[("[0, 0, 2]", message)]);
+    expect_hinge("gimbal(x, z, x)", "", &[]);
+    let three = "a gimbal has three axes, …";
+    expect_hinge("gimbal(x, y)", "", &[("(x, y)", three)]);
     let bounds =
         "the length of an axis must be between 1e-15 and 1e15, with its parameters' defaults";
     for axis in ["[ratio * 1e200, 0, 0]", "[ratio * 1e20, 1, 0]", "[ratio * 1e-16, 0, 0]"] {

@@ -22,8 +22,9 @@ fn hinges_in_a_row_may_be_one() {
     expect_row("pin(x) a -> slider(y) b", "b", &two(BODY_BETWEEN));
     expect_row("ball a -> pin(y) b", "b", &two(BODY_BETWEEN));
     let three = "hinges `a`, `b` and `c` have no body between them";
-    let ball = format!("{three}; write one hinge `ball` instead");
-    expect_row("pin(x) a -> pin(y) b -> pin(z) c", "b", &ball);
+    let one = |kind: &str| format!("{three}; write one hinge `{kind}` instead");
+    expect_row("pin(x) a -> pin(y) b -> pin(z) c", "b", &one("gimbal"));
+    expect_row("pin(x) a -> pin([1, 1, 0]) b -> pin(z) c", "b", &one("ball"));
     expect_row("pin(x) a -> pin(y) b -> pin(x) c", "b", &format!("{three}{BODY_BETWEEN}"));
 }
 

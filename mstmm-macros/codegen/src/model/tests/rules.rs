@@ -68,6 +68,7 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
                 output = [1, 0, 0] turned quaternion(1, tilt, 0, 0);
             }
             ground turned quaternion(1, 1, 0, 0) -> universal(x, [0, tilt, 1]) edge -> Link leaf
+                -> gimbal(z, [tilt, 0, 1], y) swivel -> Link arm
                 -> repeat 2 { pin([each, 0, 0]) fold -> Link part };
         }",
     );
@@ -83,6 +84,9 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
         [
             "once: must leave the length of the axis of hinge `edge` between 1e-15 and 1e15",
             "once: must not leave the axes of hinge `edge` parallel",
+            "once: must leave the length of the axis of hinge `swivel` between 1e-15 and 1e15",
+            "once: must not leave successive axes of hinge `swivel` parallel",
+            "once: must not leave successive axes of hinge `swivel` parallel",
             "once: must leave the length of a quaternion between 1e-15 and 1e15",
             "0: must leave the length of the axis of hinge `fold` between 1e-15 and 1e15",
         ]

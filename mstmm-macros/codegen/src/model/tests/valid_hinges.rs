@@ -97,6 +97,27 @@ fn a_universal_hinge_has_two_axes() {
 }
 
 #[test]
+fn a_gimbal_has_three_axes() {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let axes = axes.map(|axis| axis.map(Value::number));
+    assert_eq!(hinge("gimbal", "").kind, HingeKind::Gimbal { axes });
+    // The first and the last axis may be the same.
+    let hinge = hinge(
+        "gimbal(z, [1, 0, 1], z)",
+        "start = [0.1, 0.2, 0.3] rad; start_rate = [1, 2, 3] rad/s; rest = [30, 60, 90] deg;
+         stiffness = 2; damping = [1, 2, 3]; armature = 4; torque = input;",
+    );
+    let axes = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 0.0, 1.0]];
+    assert_eq!(hinge.kind, HingeKind::Gimbal { axes: axes.map(|axis| axis.map(Value::number)) });
+    assert_eq!(all_known(&hinge.start), [0.1, 0.2, 0.3]);
+    assert_eq!(all_known(&hinge.start_rate), [1.0, 2.0, 3.0]);
+    assert_eq!(stiffness(&hinge), [2.0; 3]);
+    assert_eq!(numbers(&hinge.passive, |passive| &passive.damping), [1.0, 2.0, 3.0]);
+    assert_eq!(numbers(&hinge.passive, |passive| &passive.armature), [4.0; 3]);
+    assert_eq!(hinge.drive, Drive::Efforts(vec![Effort::Input; 3]));
+}
+
+#[test]
 fn a_ball_shares_its_numbers() {
     let ball = hinge(
         "ball",

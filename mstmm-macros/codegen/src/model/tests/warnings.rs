@@ -88,6 +88,7 @@ fn an_angle_of_more_than_a_revolution_has_a_unit() {
         &["20", "30", "45"],
     );
     expect_hinge("universal", "start = [10, 1];", &["10"]);
+    expect_hinge("gimbal", "start = [1, 10, 2];", &["10"]);
     expect_hinge("screw(z, 5 mm/rev)", "start = 100;", &["100"]);
     expect_hinge(
         "cylindrical",

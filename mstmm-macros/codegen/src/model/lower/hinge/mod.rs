@@ -7,6 +7,7 @@ mod cylindrical;
 mod elastic;
 mod field_names;
 mod floating;
+mod gimbal;
 mod passive;
 mod pin;
 mod planar;
@@ -59,6 +60,7 @@ pub(crate) const KINDS: &[Kind] = &[
     screw::KIND,
     cylindrical::KIND,
     universal::KIND,
+    gimbal::KIND,
     ball::KIND,
     planar::KIND,
     floating::KIND,

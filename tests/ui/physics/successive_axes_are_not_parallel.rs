@@ -6,7 +6,7 @@ mstmm::mstmm_chain! {
             output = [1, 0, 0] m;
             inertia = diag(0, 1/6, 1/6) kg*m^2 about com;
         }
-        ground -> universal(x, [-2, 0, 0]) joint -> Bar bar;
+        ground -> universal(x, [-2, 0, 0]) joint -> Bar bar -> gimbal(x, y, -y) wrist -> Bar tip;
     }
 }
 
