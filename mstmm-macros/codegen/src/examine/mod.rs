@@ -210,8 +210,8 @@ impl DryRun {
         let (rule, message) = if nearby {
             (
                 SINGULAR_START,
-                "`assemble` cannot close this chain from its start, where links are in line, but from poses \
-                              next to it: write a `start` of the hinges with the links bent",
+                "`assemble` cannot close this chain from its start, but from poses next to it: write a `start` of the \
+                 hinges with the links bent, closer to a closed pose",
             )
         } else {
             (

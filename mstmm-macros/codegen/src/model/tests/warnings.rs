@@ -70,7 +70,8 @@ fn a_closed_chain_is_closed_from_its_start_itself() {
     };
     expect_chain(&loops("hinge b { start = 0.1; }"), &[]);
     let warnings = warnings_in(&loops(""));
-    let message = "`assemble` cannot close this chain from its start, where links are in line, …";
+    let message = "`assemble` cannot close this chain from its start, but from poses next to it: write a `start` of the \
+                   hinges with the links bent, closer to a closed pose";
     assert!(warnings.len() == 1 && super::says(&warnings[0].1, message), "{warnings:?}");
 }
 
