@@ -73,8 +73,8 @@ impl fmt::Display for Error {
         match self {
             Error::Singular { hinge } => write!(
                 f,
-                "the bodies outboard of hinge `{hinge}` have no inertia along one of its axes in this state, or \
-                 rounding has lost it next to much larger inertias: if so, use `f64`, or masses that differ less"
+                "the bodies outboard of hinge `{hinge}` have no inertia along one of its axes in this state, the \
+                 three axes of a gimbal are in one plane, or rounding has lost the inertia next to much larger inertias: if so, use `f64`, or masses that differ less"
             ),
             Error::InvalidQuaternion { hinge } => write!(
                 f,

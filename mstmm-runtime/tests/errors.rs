@@ -8,8 +8,8 @@ fn errors_have_these_texts() {
     let text = |error: Error| error.to_string();
     assert_eq!(
         text(Error::Singular { hinge: "elbow" }),
-        "the bodies outboard of hinge `elbow` have no inertia along one of its axes in this state, or \
-         rounding has lost it next to much larger inertias: if so, use `f64`, or masses that differ less"
+        "the bodies outboard of hinge `elbow` have no inertia along one of its axes in this state, the three \
+         axes of a gimbal are in one plane, or rounding has lost the inertia next to much larger inertias: if so, use `f64`, or masses that differ less"
     );
     for (origin, expected) in [
         (Origin::Time, "the time is not finite"),

@@ -17,6 +17,10 @@
 //! rates. In a chain with quaternions, [`Described::displacement_to_slice`](crate::Described::displacement_to_slice)
 //! computes the displacement.
 //!
+//! A controller in both precisions is generic over `T: Scalar`. If it also multiplies matrices of nalgebra, its bound is
+//! `T: Scalar<Real = T, Mask = bool> + nalgebra::RealField`, which `f32` and `f64` have. Functions that both traits name, such as
+//! `abs`, are then written `Scalar::abs(x)`.
+//!
 //! # Example
 //!
 //! A cart with a pole is balanced by a controller that samples at 50 Hz. [`Linearize`] is implemented here by hand.
