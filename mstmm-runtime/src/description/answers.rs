@@ -160,7 +160,7 @@ impl Answer {
     }
 
     /// Returns a part of the result by its index; `None` if there are fewer parts. `dynamic_parameters` is
-    /// [`Answers::DYNAMIC_PARAMETERS`].
+    /// [`Answers::DYNAMIC_PARAMETER_COUNT`].
     #[must_use]
     pub fn part(
         self,

@@ -166,7 +166,7 @@ fn correction(cx: &EmitContext) -> ClosureMethods {
 
                 /// Returns how far the chain is from being closed: the norm of the displacement, the rotation and the
                 /// velocities across the closing hinge, in m, rad, m/s and rad/s. It is near the machine epsilon after
-                /// `assemble` and after steps. Other functions take the state as it is.
+                /// `assemble`, and about the square of their error after steps. Other functions take the state as it is.
                 ///
                 /// # Errors
                 ///
