@@ -134,7 +134,7 @@ fn what_urdf_does_not_have_is_refused_by_name() {
         ),
         (
             "ground -> pin(y) a -> Rod u -> pin(y) b -> Rod p -> pin(y) c -> Rod w -> pin(y) d -> ground at [1, 0, 0] m",
-            "",
+            "hinge a { start = -90 deg; } hinge b, c { start = 90 deg; }",
             "hinge `d`: it closes a loop, and URDF has only trees",
         ),
         (route, "hinge a { stiffness = 1 N*m/rad; }", "hinge `a`: URDF has no stiffness"),
