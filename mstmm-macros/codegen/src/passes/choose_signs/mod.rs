@@ -9,14 +9,13 @@
 //!
 //! Of 43 negations in the Jacobian of three balls 13 are left, of 164 in their linearisation 35. Measured on Zen 4: their mass
 //! matrix takes 0.96 of the time, the Jacobian of their tip 0.95, the derivatives of inverse dynamics 0.98. Chains have few
-//! negations in their accelerations. That a fused product includes a negation saves 23 of 3032 instructions of the Panda's
-//! wrenches with `-C target-cpu=native`, and 15 of 1256 of those of three balls.
+//! negations in their accelerations.
 
 mod negations;
 mod rewrite;
 
 use crate::program::{Operand, Operation, PivotValue, Procedure, Statement, Step, ValueId};
-use negations::{NEGATION, is_minus, negations, takes_signs};
+use negations::{is_minus, negations, takes_signs};
 
 /// The number of values on a path that are negated together.
 const LONGEST_PATH: usize = 8;
@@ -223,7 +222,7 @@ impl<'a> Search<'a> {
         values.map(|value| value.map(ValueId::index))
     }
 
-    /// Returns by how much the cost of negations changes if a value is negated.
+    /// Returns by how much the number of negations changes if a value is negated.
     fn change(&mut self, value: usize) -> i32 {
         let before = self.negations_at(value);
         self.negated[value] ^= true;
@@ -236,13 +235,13 @@ impl<'a> Search<'a> {
         self.places[value].iter().map(|&reader| self.negations(reader)).sum()
     }
 
-    /// Returns the cost of the negations that a reader needs.
+    /// Returns the number of negations that a reader needs.
     fn negations(&self, reader: usize) -> i32 {
         let is_negated = |value: ValueId| self.negated[value.index()];
         match &self.readers[reader] {
-            Reader::Operand(operand) => NEGATION * i32::from(is_minus(operand, &self.negated)),
+            Reader::Operand(operand) => i32::from(is_minus(operand, &self.negated)),
             Reader::Lane([value, pack], negative) => {
-                NEGATION * i32::from(negative ^ is_negated(*value) ^ is_negated(*pack))
+                i32::from(negative ^ is_negated(*value) ^ is_negated(*pack))
             }
             Reader::Operation(value, operation) => {
                 negations(operation, is_negated(*value), &self.negated)
