@@ -41,17 +41,14 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     /// Returns the vector from the input to the point, inertial frame.
     #[inline]
     fn arm(&self) -> [T; 3] {
-        let [x, y, z] = self.place;
-        let along = |[a, b, c]: [T; 3]| a.mul_add(x, b.mul_add(y, c * z));
-        self.input.rotation.map(along)
+        self.input.rotation.map(|row| dot(row, self.place))
     }
 
     /// Returns the rows of the rotation matrix from the frame of the point to the inertial frame.
     #[inline]
     fn rotation(&self) -> [[T; 3]; 3] {
-        let along = |[a, b, c]: [T; 3], [x, y, z]: [T; 3]| a.mul_add(x, b.mul_add(y, c * z));
         match self.axes {
-            Some(columns) => self.input.rotation.map(|row| columns.map(|axis| along(row, axis))),
+            Some(columns) => self.input.rotation.map(|row| columns.map(|axis| dot(row, axis))),
             None => self.input.rotation,
         }
     }
@@ -137,17 +134,15 @@ impl<T: Scalar, R> BodyPoint<PlanePoint<T, R>> {
     /// Returns the vector from the input to the point, inertial frame.
     #[inline]
     fn arm(&self) -> Vector2<T> {
-        let ([cosine, sine], [x, y]) = (self.input.cos_sin, self.place);
-        Vector2::new(cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y))
+        Vector2::from(rotated(self.input.cos_sin, self.place))
     }
 
     /// Returns cosine and sine of the angle from the inertial frame to the frame of the point.
     #[inline]
     fn direction(&self) -> [T; 2] {
-        let [cosine, sine] = self.input.cos_sin;
         match self.axes {
-            Some([[x, y]]) => [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)],
-            None => [cosine, sine],
+            Some([axis]) => rotated(self.input.cos_sin, axis),
+            None => self.input.cos_sin,
         }
     }
 
@@ -270,6 +265,18 @@ impl<T: Scalar, R> BodyPoint<LinePoint<T, R>> {
     {
         self.input.acceleration()
     }
+}
+
+/// Returns the scalar product.
+#[inline]
+fn dot<T: Scalar>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> T {
+    a.mul_add(x, b.mul_add(y, c * z))
+}
+
+/// Returns a vector rotated by an angle with this cosine and sine.
+#[inline]
+fn rotated<T: Scalar>([cosine, sine]: [T; 2], [x, y]: [T; 2]) -> [T; 2] {
+    [cosine.mul_add(x, -(sine * y)), sine.mul_add(x, cosine * y)]
 }
 
 /// Returns the cross product.

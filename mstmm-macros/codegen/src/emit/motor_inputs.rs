@@ -9,10 +9,10 @@ use quote::quote;
 
 /// Returns the method, if the chain has inverse dynamics.
 pub fn emit(cx: &EmitContext) -> TokenStream {
-    let is_motor = |input: &&Input| matches!(input.what, InputKind::Efforts(_));
     if !cx.chain.requests.contains(&Request::InverseDynamics) {
         return TokenStream::new();
     }
+    let is_motor = |input: &&Input| matches!(input.what, InputKind::Efforts(_));
     let driven = cx.layout.driven_rates(cx.chain);
     let motors = cx.layout.inputs.iter().filter(is_motor);
     let sets = motors.map(|input| set(cx, input, &driven));

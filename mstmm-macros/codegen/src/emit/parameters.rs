@@ -138,10 +138,11 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         ///
         /// `Error::InvalidParameter` if the number is not finite or would leave the chain with a mass that is not
         /// positive, with a negative moment of inertia, stiffness or damping, with limits out of order or, for a ball, above
-        /// 180 deg, with an axis or a quaternion whose length is not between 1e-15 and 1e15, with a universal hinge or a gimbal
-        /// whose successive axes are parallel, with an elastic hinge whose pitch angle at the start or at rest is not between -90 and 90 deg, or
-        /// with a quantity that is not finite. It names the body, the hinge or the spring, and the old number is kept.
-        /// Whether moments and products of inertia fit together is not tested, because parameters are set one by one.
+        /// 180 deg, with an axis or a quaternion whose length is not between 1e-15 and 1e15, with a universal hinge or a
+        /// gimbal whose successive axes are parallel, with an elastic hinge whose pitch angle at the start or at rest is
+        /// not between -90 and 90 deg, or with a quantity that is not finite. It names the body, the hinge or the spring,
+        /// and the old number is kept. Whether moments and products of inertia fit together is not tested, because
+        /// parameters are set one by one.
         #[allow(unused_variables, clippy::all)]
         #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), #mstmm::Error> {
             let mut parameters_ = *self.parameters();
