@@ -13,31 +13,43 @@ const LONGEST: f64 = 1.1;
 const ROUNDING: f64 = 8.0;
 
 /// Returns the sum of the squares of the components.
-fn square<T: Scalar>([w, x, y, z]: [T; 4]) -> T {
-    (w * w + x * x) + (y * y + z * z)
+///
+/// It is a sum from one end to the other: LLVM would compute a sum of pairs in a SIMD register, from which others have to take
+/// the components.
+fn square<T: Scalar>(&[w, x, y, z]: &[T; 4]) -> T {
+    z.mul_add(z, y.mul_add(y, x.mul_add(x, w * w)))
 }
 
 /// Returns whether all components are finite, for each lane.
-fn is_finite<T: Scalar>([w, x, y, z]: [T; 4]) -> T::Mask {
+fn is_finite<T: Scalar>([w, x, y, z]: &[T; 4]) -> T::Mask {
     w.is_finite() & x.is_finite() & y.is_finite() & z.is_finite()
+}
+
+/// Returns whether the length of a quaternion is between 0.9 and 1.1, for each lane.
+///
+/// A square that overflows is infinite, one that underflows zero.
+#[inline]
+fn has_valid_length<T: Scalar>(quaternion: &[T; 4]) -> T::Mask {
+    let [shortest, longest] = [SHORTEST * SHORTEST, LONGEST * LONGEST];
+    let largest_difference =
+        T::constant((longest - shortest) / 2.0) + T::constant(ROUNDING) * T::epsilon();
+    let difference = square(quaternion) - T::constant((longest + shortest) / 2.0);
+    largest_difference.simd_gt(difference.abs())
 }
 
 /// Returns whether the quaternion of any lane is finite and has a length that is not between 0.9 and 1.1.
 ///
 /// A quaternion that is not finite is found by the checks for [`Error::NotFinite`].
 #[inline]
-fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
-    let square = square(quaternion);
-    let rounding = T::constant(ROUNDING) * T::epsilon();
-    let shortest = T::constant(SHORTEST * SHORTEST) - rounding;
-    let longest = T::constant(LONGEST * LONGEST) + rounding;
-    let is_between = square.simd_gt(shortest) & longest.simd_gt(square);
-    if is_between.all() {
-        return false;
-    }
-    // A square that overflows is infinite, one that underflows zero.
-    let is_outside = shortest.simd_gt(square) | square.simd_gt(longest);
-    !(!(is_outside & is_finite(quaternion))).all()
+fn is_refused<T: Scalar>(quaternion: &[T; 4]) -> bool {
+    let is_valid = has_valid_length(quaternion);
+    !is_valid.all() && is_finite_if_invalid(quaternion, is_valid)
+}
+
+/// Returns whether the quaternion of any lane is finite and not valid.
+#[cold]
+fn is_finite_if_invalid<T: Scalar>(quaternion: &[T; 4], is_valid: T::Mask) -> bool {
+    !(is_valid | !is_finite(quaternion)).all()
 }
 
 /// Fails if the quaternion of `hinge` is finite and its length is not between 0.9 and 1.1.
@@ -45,7 +57,7 @@ fn is_refused<T: Scalar>(quaternion: [T; 4]) -> bool {
 /// # Errors
 /// [`Error::InvalidQuaternion`].
 #[inline]
-pub fn check_quaternion<T: Scalar>(hinge: &'static str, quaternion: [T; 4]) -> Result<(), Error> {
+pub fn check_quaternion<T: Scalar>(hinge: &'static str, quaternion: &[T; 4]) -> Result<(), Error> {
     if is_refused(quaternion) { Err(Error::InvalidQuaternion { hinge }) } else { Ok(()) }
 }
 
@@ -71,7 +83,7 @@ pub fn check_quaternions<T: Scalar>(q: &[T], table: &[HingeQuaternions]) -> Resu
     for &HingeQuaternions { hinge, first, stride, count } in table {
         let coordinates = q.get(first..).unwrap_or_default();
         for repetition in coordinates.chunks(stride.max(1)).take(count) {
-            if let Some(&quaternion) = repetition.first_chunk::<4>() {
+            if let Some(quaternion) = repetition.first_chunk::<4>() {
                 check_quaternion(hinge, quaternion)?;
             }
         }
@@ -87,10 +99,10 @@ pub(crate) fn to_unit_length<T: Scalar>(
     hinge: &'static str,
     quaternion: [T; 4],
 ) -> Result<[T; 4], Error> {
-    if !is_finite(quaternion).all() {
+    if !is_finite(&quaternion).all() {
         return Err(Error::NotFinite(origin::of_argument("quaternion", &quaternion)));
     }
-    check_quaternion(hinge, quaternion)?;
-    let scale = square(quaternion).sqrt().recip();
+    check_quaternion(hinge, &quaternion)?;
+    let scale = square(&quaternion).sqrt().recip();
     Ok(quaternion.map(|component| component * scale))
 }

@@ -89,7 +89,7 @@ fn motion(cx: &EmitContext, input: &Input) -> TokenStream {
     let mstmm = &cx.mstmm;
     let name = cx.chain.name_of_input(input.what);
     let hinge = name.to_string();
-    let check = |motion: TokenStream| quote!(#mstmm::generated::check_quaternion(#hinge, #motion.state.quaternion())?;);
+    let check = |motion: TokenStream| quote!(#mstmm::generated::check_quaternion(#hinge, &#motion.state.quaternion())?;);
     if cx.chain.repeat_of_input(input.what).is_some() {
         let statement = check(quote!(motion_));
         return quote! {
