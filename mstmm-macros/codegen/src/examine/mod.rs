@@ -32,6 +32,9 @@ const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
 /// The name of the warning of a closed chain that can be closed near its start, but not from it.
 const SINGULAR_START: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
 
+/// The name of the warning of an open chain whose accelerations are `Singular` at its start.
+const NO_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
+
 /// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
@@ -88,6 +91,9 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
+    if moves_all {
+        dry_run.warn_of_singular_start(diagnostics);
+    }
     let closed = dry_run.closed_poses();
     let closes_from_start = !matches!(closed[..], [None, ..]);
     let poses: Vec<Configuration> = closed.into_iter().flatten().collect();
@@ -121,13 +127,7 @@ impl DryRun {
             if !self.fits(&values) {
                 continue;
             }
-            let solved = self.solved(&values, &self.pose(&values, seed));
-            let vanishing = solved.pivots.iter().filter(|pivot| {
-                let (value, scale) = (pivot.value.value(), pivot.scale.value());
-                value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
-            });
-            let now: Vec<HingeId> =
-                vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect();
+            let now = self.singular_hinges(&values, &self.pose(&values, seed));
             let still: Vec<HingeId> = match massless {
                 None => now,
                 Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
@@ -138,6 +138,33 @@ impl DryRun {
             massless = Some(still);
         }
         massless.unwrap_or_default()
+    }
+
+    /// Returns the hinges with a zero pivot in this pose.
+    fn singular_hinges(&self, values: &SymbolValues<Number>, pose: &Configuration) -> Vec<HingeId> {
+        let solved = self.solved(values, pose);
+        let vanishing = solved.pivots.iter().filter(|pivot| {
+            let (value, scale) = (pivot.value.value(), pivot.scale.value());
+            value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
+        });
+        vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect()
+    }
+
+    /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
+    fn warn_of_singular_start(&self, diagnostics: &mut Diagnostics) {
+        let is_closed = !self.merged.loop_hinges.is_empty();
+        if is_closed || self.chain.hinges.iter().any(Hinge::is_prescribed) {
+            return;
+        }
+        for hinge in self.singular_hinges(&self.values, &self.pose(&self.values, 0)) {
+            let hinge = &self.chain.hinges[hinge];
+            let name = &hinge.path;
+            let message = format!(
+                "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \
+                 that it moves have no inertia, or its axes are in one plane; write another `start`"
+            );
+            diagnostics.warn(hinge.name.span(), NO_ACCELERATIONS, message);
+        }
     }
 
     /// Returns the largest mass divided by the smallest.

@@ -75,6 +75,33 @@ fn a_closed_chain_is_closed_from_its_start_itself() {
     assert!(warnings.len() == 1 && super::says(&warnings[0].1, message), "{warnings:?}");
 }
 
+/// At a right angle of the middle axis the axes of a gimbal are in one plane. A rod without inertia about its axis turns about
+/// it only where it hangs down.
+#[test]
+fn an_open_chain_has_accelerations_at_its_start() {
+    let gimbal = |start: &str, end: &str| {
+        format!(
+            "chain A {{ {ROD} ground -> gimbal a -> Rod one{end}; hinge a {{ start = [10, {start}, 30] deg; }} }}"
+        )
+    };
+    expect_chain(&gimbal("89", ""), &[]);
+    expect_chain(&gimbal("-90", ""), &["a"]);
+    // The moving end is a prescribed motion without a start.
+    expect_chain(&gimbal("90", " -> ball b -> moving hand"), &[]);
+    let hanging = |start: &str| {
+        format!(
+            "chain A {{ body Thin {{ mass = 1; com = [0, 0, -0.5]; inertia = diag(1, 1, 0) about com; }} \
+             body Joint {{ mass = 1; com = [0, 0, 0]; output = [0, 0, 0]; inertia = diag(1, 1, 0) about com; }} \
+             ground -> pin(z) a -> Joint one -> pin(x) b -> Thin two; hinge b {{ start = {start}; }} }}"
+        )
+    };
+    expect_chain(&hanging("0.1"), &[]);
+    let warnings = warnings_in(&hanging("0"));
+    let message = "accelerations are `Singular` at the start: there hinge `a` is free in a direction in which the bodies that \
+                   it moves have no inertia, or its axes are in one plane; write another `start`";
+    assert_eq!(warnings, [("a".to_owned(), message.to_owned())]);
+}
+
 #[test]
 fn an_angle_of_more_than_a_revolution_has_a_unit() {
     // Two hinges share the field: there is one warning.
