@@ -2,6 +2,9 @@
 //! precession is in `src/hinges/gimbal.md`. With the angular velocity `ω = E(q) q̇` in outboard axes and its
 //! derivative `ω̇ = E q̈ + Ė q̇`, efforts along the angles are `Eᵀ` times the torque of a ball.
 
+// A chain here starts at a singular pose, which gives a warning.
+#![allow(deprecated)]
+
 mod support;
 
 use mstmm::prelude::*;
