@@ -43,12 +43,12 @@ fn has_valid_length<T: Scalar>(quaternion: &[T; 4]) -> T::Mask {
 #[inline]
 fn is_refused<T: Scalar>(quaternion: &[T; 4]) -> bool {
     let is_valid = has_valid_length(quaternion);
-    !is_valid.all() && is_finite_if_invalid(quaternion, is_valid)
+    !is_valid.all() && has_finite_invalid_lane(quaternion, is_valid)
 }
 
-/// Returns whether the quaternion of any lane is finite and not valid.
+/// Returns whether the quaternion of any lane is finite and not valid. Out of line, since it is rarely called.
 #[cold]
-fn is_finite_if_invalid<T: Scalar>(quaternion: &[T; 4], is_valid: T::Mask) -> bool {
+fn has_finite_invalid_lane<T: Scalar>(quaternion: &[T; 4], is_valid: T::Mask) -> bool {
     !(is_valid | !is_finite(quaternion)).all()
 }
 

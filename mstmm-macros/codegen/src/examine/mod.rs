@@ -30,10 +30,10 @@ const INDEPENDENT: f64 = 1e-10;
 const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
 
 /// The name of the warning of a closed chain that can be closed near its start, but not from it.
-const SINGULAR_START: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
+const CLOSES_NEARBY: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
 
 /// The name of the warning of an open chain whose accelerations are `Singular` at its start.
-const NO_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
+const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
 
 /// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
@@ -92,7 +92,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
     if moves_all {
-        dry_run.warn_of_singular_start(diagnostics);
+        dry_run.warn_of_singular_accelerations(diagnostics);
     }
     let closed = dry_run.closed_poses();
     let closes_from_start = !matches!(closed[..], [None, ..]);
@@ -151,7 +151,7 @@ impl DryRun {
     }
 
     /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
-    fn warn_of_singular_start(&self, diagnostics: &mut Diagnostics) {
+    fn warn_of_singular_accelerations(&self, diagnostics: &mut Diagnostics) {
         let is_closed = !self.merged.loop_hinges.is_empty();
         if is_closed || self.chain.hinges.iter().any(Hinge::is_prescribed) {
             return;
@@ -163,7 +163,7 @@ impl DryRun {
                 "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \
                  that it moves have no inertia, or its axes are in one plane; write another `start`"
             );
-            diagnostics.warn(hinge.name.span(), NO_ACCELERATIONS, message);
+            diagnostics.warn(hinge.name.span(), SINGULAR_ACCELERATIONS, message);
         }
     }
 
@@ -236,7 +236,7 @@ impl DryRun {
         let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
         let (rule, message) = if nearby {
             (
-                SINGULAR_START,
+                CLOSES_NEARBY,
                 "`assemble` cannot close this chain from its start, but from poses next to it: write a `start` of the \
                  hinges with the links bent, closer to a closed pose",
             )
