@@ -55,6 +55,7 @@ twins! {
             torque = -3 N*m;
         }
         hinge c {
+            start = rpy(10, 20, 30) deg;
             rest = rpy(10, 20, 30) deg;
             stiffness = 20;
             damping = 0.3;
@@ -79,6 +80,7 @@ twins! {
             torque = -3 N*m;
         }
         hinge c1, c2 {
+            start = rpy(10, 20, 30) deg;
             rest = rpy(10, 20, 30) deg;
             stiffness = 20;
             damping = 0.3;

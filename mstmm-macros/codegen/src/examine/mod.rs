@@ -4,6 +4,7 @@
 mod base_parameters;
 mod drawing;
 mod dry_run;
+mod start_warnings;
 
 use crate::diag::Diagnostics;
 use crate::equations::{LoopReaction, SymbolValues};
@@ -25,15 +26,6 @@ const CUT_SHORT: usize = 3;
 /// [`CLOSED`], a redundant constraint leaves the square of that, and rounding errors: far less. A
 /// linkage whose smallest singular value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
-
-/// The name of the warning of a closed chain that cannot be closed near its start.
-const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
-
-/// The name of the warning of a closed chain that can be closed near its start, but not from it.
-const CLOSES_NEARBY: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
-
-/// The name of the warning of an open chain whose accelerations are `Singular` at its start.
-const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
 
 /// The findings. The default is for a chain without any.
 #[derive(Clone, Debug, Default)]
@@ -91,6 +83,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
+    dry_run.warn_of_limits(diagnostics);
     if moves_all {
         dry_run.warn_of_singular_accelerations(diagnostics);
     }
@@ -148,23 +141,6 @@ impl DryRun {
             value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
         });
         vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect()
-    }
-
-    /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
-    fn warn_of_singular_accelerations(&self, diagnostics: &mut Diagnostics) {
-        let is_closed = !self.merged.loop_hinges.is_empty();
-        if is_closed || self.chain.hinges.iter().any(Hinge::is_prescribed) {
-            return;
-        }
-        for hinge in self.singular_hinges(&self.values, &self.pose(&self.values, 0)) {
-            let hinge = &self.chain.hinges[hinge];
-            let name = &hinge.path;
-            let message = format!(
-                "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \
-                 that it moves have no inertia, or its axes are in one plane; write another `start`"
-            );
-            diagnostics.warn(hinge.name.span(), SINGULAR_ACCELERATIONS, message);
-        }
     }
 
     /// Returns the largest mass divided by the smallest.
@@ -226,28 +202,6 @@ impl DryRun {
              of its hinges ({dof_count}); add a hinge or an axis, or leave one end free"
         );
         diagnostics.error(closing.name.span(), message);
-    }
-
-    /// Warns of a closed chain for which no closed pose is found from the start, but perhaps `nearby`. The positions of
-    /// prescribed motions are known at run time only.
-    fn warn_of_open_loop(&self, nearby: bool, diagnostics: &mut Diagnostics) {
-        let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
-        let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
-        let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
-        let (rule, message) = if nearby {
-            (
-                CLOSES_NEARBY,
-                "`assemble` cannot close this chain from its start, but from poses next to it: write a `start` of the \
-                 hinges with the links bent, closer to a closed pose",
-            )
-        } else {
-            (
-                OPEN_LOOP,
-                "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
-                         the positions of the ends, or write a `start` of the hinges near a closed pose",
-            )
-        };
-        diagnostics.warn(closing.name.span(), rule, message);
     }
 
     /// Returns closed poses, from the start and from poses near it, since the start may be a singular pose: `None` where

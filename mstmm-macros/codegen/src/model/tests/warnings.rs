@@ -102,6 +102,35 @@ fn an_open_chain_has_accelerations_at_its_start() {
     assert_eq!(warnings, [("a".to_owned(), message.to_owned())]);
 }
 
+/// A hinge without a `start` starts at zero. The start of a motion is given at run time.
+#[test]
+fn a_hinge_starts_within_its_limits() {
+    let limited = |fields: &str| format!("{fields} limit_stiffness = 1;");
+    let within = |kind: &str, fields: &str| expect_hinge(kind, &limited(fields), &[]);
+    let beyond = |kind: &str, fields: &str| expect_hinge(kind, &limited(fields), &["a", "b"]);
+    within("pin", "start = -40 deg; limits = [-40, 100] deg;");
+    beyond("pin", "start = -41 deg; limits = [-40, 100] deg;");
+    beyond("slider", "limits = [1, 2];");
+    within("universal", "start = [0.3, -0.3]; limits = [-0.3, 0.3];");
+    beyond("universal", "start = [0.3, -0.4]; limits = [-0.3, 0.3];");
+    within("ball", "start = rpy(0, 50, 0) deg; limits = 50 deg;");
+    beyond("ball", "start = rpy(0, 50, 0) deg; limits = 49 deg;");
+    within(
+        "ball",
+        "start = rpy(0, 50, 0) deg; rest = rpy(0, 20, 0) deg; stiffness = 1; limits = 30 deg;",
+    );
+    let turning = "turning_limits = [-1, 1]; turning_limit_stiffness = 1;";
+    expect_hinge("cylindrical", &format!("start = 3 m turned 0.9; {turning}"), &[]);
+    expect_hinge("cylindrical", &format!("start = 3 m turned 1.1; {turning}"), &["a", "b"]);
+    beyond("pin", "start = small; limits = [0, 1];");
+    within("pin", "motion = input; limits = [1, 2];");
+    let rope = "chain A { ROD ground -> repeat 3 { pin(z) a -> Rod one }; \
+                hinge a { start = 0.2; limits = [0, 0.1]; limit_stiffness = 1; } }";
+    let warnings = warnings_in(&rope.replace("ROD", ROD));
+    let message = "hinge `a` starts beyond its limits, whose springs push it back: write a `start` within them";
+    assert_eq!(warnings, [("a".to_owned(), message.to_owned())]);
+}
+
 #[test]
 fn an_angle_of_more_than_a_revolution_has_a_unit() {
     // Two hinges share the field: there is one warning.
@@ -120,8 +149,8 @@ fn an_angle_of_more_than_a_revolution_has_a_unit() {
     expect_hinge("screw(z, 5 mm/rev)", "start = 100;", &["100"]);
     expect_hinge(
         "cylindrical",
-        "start = 1 m turned 30; turning_limits = [-9, 2]; turning_limit_stiffness = 1;",
-        &["30", "9"],
+        "start = 1 m turned 30; turning_limits = [-9, 31]; turning_limit_stiffness = 1;",
+        &["30", "9", "31"],
     );
     expect_hinge(
         "planar",

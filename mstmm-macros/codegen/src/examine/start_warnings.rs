@@ -1,0 +1,96 @@
+//! Warnings of a start that is valid, but probably not what was meant.
+
+use super::dry_run::{DryRun, Number};
+use crate::diag::Diagnostics;
+use crate::equations;
+use crate::model::{Hinge, Limits, Passive, Value};
+
+/// The name of the warning of a closed chain that cannot be closed near its start.
+const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
+
+/// The name of the warning of a closed chain that can be closed near its start, but not from it.
+const CLOSES_NEARBY: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
+
+/// The name of the warning of an open chain whose accelerations are `Singular` at its start.
+const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
+
+/// The name of the warning of a hinge that starts beyond its limits.
+const BEYOND_LIMITS: &str = "START_BEYOND_LIMITS";
+
+/// The distance in m or rad from which a start is beyond its limits. Rotation vectors have rounding errors.
+const DISTANCE: f64 = 1e-9;
+
+impl DryRun {
+    /// Warns of hinges that start beyond their limits. Prescribed motions have no start.
+    pub fn warn_of_limits(&self, diagnostics: &mut Diagnostics) {
+        // Repetitions of a hinge have the same path.
+        let mut reported: Vec<&String> = Vec::new();
+        for hinge in self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed()) {
+            let path = &hinge.path;
+            if self.starts_beyond_limits(hinge) && !reported.contains(&path) {
+                reported.push(path);
+                let message = format!(
+                    "hinge `{path}` starts beyond its limits, whose springs push it back: write a `start` within them"
+                );
+                diagnostics.warn(hinge.name.span(), BEYOND_LIMITS, message);
+            }
+        }
+    }
+
+    /// Whether springs of unit stiffness at the limits store energy at the start.
+    fn starts_beyond_limits(&self, hinge: &Hinge) -> bool {
+        let stiff = |limits: &Limits| Limits { stiffness: Value::number(1.0), ..limits.clone() };
+        let limits_of = |passive: &Passive| Passive {
+            limits: passive.limits.as_ref().map(stiff),
+            ..Passive::none()
+        };
+        let passive = hinge.passive.iter().map(limits_of).collect();
+        let stops = Hinge { passive, ..hinge.clone() };
+        let number = |value: &Value| Number::variable(self.values.scalar(value).value());
+        let start: Vec<Number> = hinge.start.iter().map(number).collect();
+        let start = equations::hinge::normalized(&hinge.kind, &start);
+        let at_rest = vec![Number::variable(0.0); hinge.kind.dof_count()];
+        let elements =
+            equations::hinge::passive_elements(&stops, &self.values, &start, &at_rest, None);
+        elements.energy.value() > 0.5 * DISTANCE * DISTANCE
+    }
+
+    /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
+    pub fn warn_of_singular_accelerations(&self, diagnostics: &mut Diagnostics) {
+        let is_closed = !self.merged.loop_hinges.is_empty();
+        if is_closed || self.chain.hinges.iter().any(Hinge::is_prescribed) {
+            return;
+        }
+        for hinge in self.singular_hinges(&self.values, &self.pose(&self.values, 0)) {
+            let hinge = &self.chain.hinges[hinge];
+            let name = &hinge.path;
+            let message = format!(
+                "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \
+                 that it moves have no inertia, or its axes are in one plane; write another `start`"
+            );
+            diagnostics.warn(hinge.name.span(), SINGULAR_ACCELERATIONS, message);
+        }
+    }
+
+    /// Warns of a closed chain for which no closed pose is found from the start, but perhaps `nearby`. The positions of
+    /// prescribed motions are known at run time only.
+    pub fn warn_of_open_loop(&self, nearby: bool, diagnostics: &mut Diagnostics) {
+        let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
+        let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
+        let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
+        let (rule, message) = if nearby {
+            (
+                CLOSES_NEARBY,
+                "`assemble` cannot close this chain from its start, but from poses next to it: write a `start` of the \
+                 hinges with the links bent, closer to a closed pose",
+            )
+        } else {
+            (
+                OPEN_LOOP,
+                "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
+                         the positions of the ends, or write a `start` of the hinges near a closed pose",
+            )
+        };
+        diagnostics.warn(closing.name.span(), rule, message);
+    }
+}
