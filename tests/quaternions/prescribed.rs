@@ -105,3 +105,25 @@ fn closed_chains_refuse_them_when_they_are_assembled_and_closed() {
     });
     assert_eq!((result, moved), (Err(error), state));
 }
+
+/// With another length than one, the matrix of a quaternion is no rotation, and no pose would be closed.
+#[test]
+fn closed_chains_are_assembled_with_all_accepted_lengths() {
+    let chain = Rocking::<f64>::new();
+    let assembled = |quaternion: [f64; 4]| {
+        let mut inputs = chain.no_inputs();
+        inputs.deck.state = FloatingState::new([0.0; 3], quaternion, [0.0; 3], [0.0; 3]);
+        let mut state = chain.initial_state();
+        chain.assemble(&mut state, &inputs).expect("a closed pose");
+        let error = chain.closure_error(&state, &inputs).expect("finite");
+        assert!(error < 1e-14, "{error:e} with {quaternion:?}");
+        state
+    };
+    let unit = assembled(of_length(1.0));
+    for quaternion in accepted().into_iter().chain([of_length(1.0 + 6e-8)]) {
+        let state = assembled(quaternion);
+        let differences = state.q.iter().zip(&unit.q).map(|(a, b)| (a - b).abs());
+        // Newton's method ends within 64 ε of a closed pose.
+        assert!(differences.fold(0.0, f64::max) < 1e-13, "{quaternion:?}: {state:?}, {unit:?}");
+    }
+}

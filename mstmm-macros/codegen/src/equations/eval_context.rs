@@ -80,6 +80,11 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         EvalContext { held_by_closure, closure_rank, ..self }
     }
 
+    /// Returns this context with other inputs.
+    pub fn with_inputs(self, inputs: &'a [S]) -> Self {
+        EvalContext { inputs, ..self }
+    }
+
     /// Returns this context for a linearly implicit Euler step of length `step`, in s.
     pub fn with_implicit_step(self, step: S) -> Self {
         EvalContext { implicit: Some(step), ..self }

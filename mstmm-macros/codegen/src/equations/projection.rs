@@ -14,7 +14,7 @@ use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace, kinematics, riccati};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Rotation, Scalar, Vec3, Wrench};
-use crate::model::{Chain, Hinge, HingeId, Layout};
+use crate::model::{Chain, Hinge, HingeId, InputKind, Layout};
 
 /// The projection of a state onto the loop constraints.
 #[derive(Clone, Debug)]
@@ -32,6 +32,8 @@ pub struct Projection<S> {
 
 /// Returns the projection, or `None` for a chain that is not closed.
 pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Option<Projection<S>> {
+    let inputs = with_unit_quaternions(context);
+    let context = &context.clone().with_inputs(&inputs);
     let links = kinematics(context, Axes::Body, trace);
     let loop_hinge = loop_hinge(context, Axes::Body, &links)?;
     let poses = poses(context, &links);
@@ -54,6 +56,18 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
             + size(velocity_error))
         .sqrt(),
     })
+}
+
+/// Returns the inputs with quaternions of prescribed motions normalised. A matrix of a quaternion of another length is no
+/// rotation, so that the loop hinge could not be closed.
+fn with_unit_quaternions<S: Scalar>(context: &EvalContext<S>) -> Vec<S> {
+    let mut inputs = context.inputs.to_vec();
+    for (id, hinge) in context.chain.hinges.enumerate().filter(|(_, hinge)| hinge.is_prescribed()) {
+        let unit = normalized(&hinge.kind, context.coordinates(id));
+        let first = context.layout.input(InputKind::Motion(id)).start;
+        inputs[first..first + unit.len()].copy_from_slice(&unit);
+    }
+    inputs
 }
 
 /// Returns the velocity across the open loop hinge at rates `x`, linear and angular, in the axes of its outboard
