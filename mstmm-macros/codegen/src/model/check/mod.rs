@@ -27,6 +27,7 @@ type NumberRule = fn(&Draft) -> Vec<Requirement>;
 /// All rules on values.
 const NUMBER_RULES: &[NumberRule] = &[
     number::numbers_are_finite,
+    number::roots_have_derivatives,
     body::masses_are_positive,
     inertia::moments_are_not_negative,
     inertia::inertias_are_physical,

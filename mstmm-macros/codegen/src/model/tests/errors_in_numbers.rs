@@ -259,3 +259,29 @@ fn long_literals_are_refused_before_they_are_read() {
     let long = number(100_000);
     expect_mass(&long, &[(&long, "a number has no more than 100 digits")]);
 }
+
+/// The value at the default is finite, but not its derivative.
+#[test]
+fn a_root_has_derivatives_where_they_are_answers() {
+    let source = |answers: &str, defaults: [f64; 2], damping: &str| {
+        let [a, b] = defaults;
+        format!(
+            "chain A {{ {answers} param a = {a}; param b = {b}; body Rod {{ mass = 1; com = [1, 0, 0]; \
+             inertia = diag(1, 1, 1) about com; }} ground -> pin(y) h -> Rod rod; hinge h {{ damping = {damping}; stiffness = \
+             a + b; }} }}"
+        )
+    };
+    let message = "`linearize`, `push` and `pull` have derivatives by parameters, which are infinite where the argument of \
+                   `sqrt` is zero: it must be positive; with its parameters' defaults it is 0";
+    for word in ["linearize", "push", "pull"] {
+        let answers = format!("answers = [{word}];");
+        for damping in ["sqrt(a)", "1 + sqrt(a)", "b*sqrt(a^2)", "sin(sqrt(a*b))"] {
+            super::expect_all(&source(&answers, [0.0, 1.0], damping), &[(damping, message)]);
+            super::expect_all(&source(&answers, [1.0, 1.0], damping), &[]);
+        }
+        super::expect_all(&source(&answers, [0.0, 1.0], "sqrt(b) + sqrt(0)"), &[]);
+        let undefined = "… with its parameters' defaults it is NaN";
+        super::expect_all(&source(&answers, [-1.0, 1.0], "sqrt(a)"), &[("sqrt(a)", undefined)]);
+    }
+    super::expect_all(&source("answers = [basic, derivatives];", [0.0, 1.0], "sqrt(a)"), &[]);
+}
