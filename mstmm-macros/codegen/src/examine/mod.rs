@@ -37,7 +37,7 @@ pub struct Findings {
     pub closure_rank: ClosureRank,
     /// The mobility of a chain that is held at both ends, if a closed pose was found.
     pub mobility: Option<Mobility>,
-    /// The largest mass divided by the smallest, with parameters at their defaults; `None` if
+    /// The largest mass divided by the smallest, or by 1 kg if that is less, with parameters at their defaults; `None` if
     /// masses are Rust constants.
     pub mass_ratio: Option<f64>,
     /// The indices of the dynamic parameters that motions can identify, if the chain has a regressor and its numbers are
@@ -143,13 +143,12 @@ impl DryRun {
         vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect()
     }
 
-    /// Returns the largest mass divided by the smallest.
+    /// Returns the largest mass divided by the smallest, or by 1 kg if that is less.
     fn mass_ratio(&self) -> f64 {
         let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Physical);
         let masses = bodies.map(|body| self.values.scalar(&body.mass).value());
-        let (least, most) = masses.fold((f64::INFINITY, 0.0_f64), |(least, most), mass| {
-            (least.min(mass), most.max(mass))
-        });
+        let (least, most) = masses
+            .fold((1.0_f64, 0.0_f64), |(least, most), mass| (least.min(mass), most.max(mass)));
         most / least
     }
 
