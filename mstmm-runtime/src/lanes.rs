@@ -2,7 +2,8 @@
 //!
 //! A chain of lanes computes as many states side by side as there are lanes
 //! ([`Scalar::LANES`]). Every lane has the bits that it would have in a chain of `f64` or `f32`,
-//! except in regressors: a chain of `f64` or `f32` may compute them for several rates at a time, by other sums.
+//! except in regressors and after `assemble`: a chain of `f64` or `f32` may compute regressors for several rates at a time,
+//! by other sums, and `assemble` corrects all lanes until the last one is closed.
 //!
 //! [`NativeF64`] and [`NativeF32`] are the widest lanes that fit one register of the target that the crate is built
 //! for. They are the fastest for most chains:
