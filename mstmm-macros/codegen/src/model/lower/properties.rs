@@ -157,7 +157,16 @@ fn target(
         // It may be a hinge whose kind is not known.
         (BlockKeyword::Hinge, RouteItem::Body { body_type: None, .. }) => None,
         (BlockKeyword::Hinge, RouteItem::Body { .. }) => {
-            context.refuse(at, format!("`{path}` is a body: write `body {path} {{ … }}`"))
+            let floats = index == 0 && floats(written, items);
+            let before = index.checked_sub(1).map(|before| &items[before]);
+            let message = match before {
+                _ if floats => format!("`{path}` is a body: write `body {path} {{ … }}`"),
+                Some(RouteItem::Hinge { name: Some(hinge), .. }) => {
+                    format!("`{path}` is a body: write the name of its hinge, `{}`", hinge.path)
+                }
+                _ => format!("`{path}` is a body: write the name of a hinge"),
+            };
+            context.refuse(at, message)
         }
         (BlockKeyword::Body, RouteItem::Body { word, .. })
             if index > 0 || !floats(written, items) =>

@@ -33,6 +33,7 @@ fn a_route_ends_in_a_body_unless_it_is_the_first() {
         &[("moving", closes)],
     );
     expect_rods(&format!("{TRUNK}; bar.output -> pin c;"), &[("c", "the route has no body: …")]);
+    expect_rods(&format!("{TRUNK}; bar.output -> pin c -> ground;"), &[("ground", closes)]);
     expect_rods(
         &format!("{TRUNK}; bar.output -> pin c -> Rod x -> pin d;"),
         &[("d", "hinge `d` connects nothing: end the route with a body")],

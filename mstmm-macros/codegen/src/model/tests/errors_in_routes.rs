@@ -70,7 +70,7 @@ fn hinges_and_bodies_alternate() {
                 "`ground` and body `shoulder` have no hinge between them: add one, such \
                           as `weld name`",
             ),
-            ("shoulder", "`shoulder` is a body: write `body shoulder { … }`"),
+            ("shoulder", "`shoulder` is a body: write the name of a hinge"),
         ],
     );
 }
@@ -309,4 +309,17 @@ fn fields_of_a_hinge_are_after_the_route() {
     expect_rods(&format!("ground -> pin(y, damping = 1) a -> {rest}"), &[("damping", argument)]);
     let axis = "arguments have no names: remove `axis =`";
     expect_rods(&format!("ground -> pin(axis = y) a -> {rest}"), &[("axis", axis)]);
+}
+
+#[test]
+fn blocks_of_hinges_name_hinges() {
+    let route = |route: &str| format!("{route}; hinge link {{ start = 1; }}");
+    expect_rods(
+        &route("ground -> pin joint -> Rod link"),
+        &[("link", "`link` is a body: write the name of its hinge, `joint`")],
+    );
+    expect_rods(
+        &route("Rod link -> pin joint -> Rod end"),
+        &[("link", "`link` is a body: write `body link { … }`")],
+    );
 }
