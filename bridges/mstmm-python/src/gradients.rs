@@ -232,7 +232,9 @@ where
     let space = Space::of(of);
     let (nq, nv, columns) = (space.coordinates, space.rates, of.inputs().len());
     let (trajectory, weights) = given.split_at(given.len() / 2);
-    let [trajectory, weights] = [trajectory, weights].map(|all| all.chunks_exact(nq + nv));
+    // A chain without degrees of freedom has empty states.
+    let len = (nq + nv).max(1);
+    let [trajectory, weights] = [trajectory, weights].map(|all| all.chunks_exact(len));
     let zero = C::Scalar::constant(0.0);
     result.fill(zero);
     let (by_start, rest) = result.split_at_mut(nq + nv);
@@ -284,7 +286,7 @@ where
     let mut displacement = start.to_vec();
     let mut pushed = vec![zero; Answer::Push.len(of, 0)];
     let mut rk4 = Rk4::new(C::Scalar::constant(step));
-    for (k, change) in result.chunks_exact_mut(nq + nv).enumerate() {
+    for (k, change) in result.chunks_exact_mut((nq + nv).max(1)).enumerate() {
         space.along(state.coordinates(), &displacement[..nv], &mut change[..nq]);
         change[nq..].copy_from_slice(&displacement[nv..]);
         if k == count {

@@ -4,7 +4,9 @@
 use std::num::NonZero;
 
 use mstmm::{ChainState, Described, Error, Rk4, mstmm_chain};
-use mstmm_python::{Arrays, Batch, Blocks, Inputs, Lanes, Method, Model, OnError, Threads, Work};
+use mstmm_python::{
+    Arrays, Batch, Blocks, Inputs, Lanes, Method, Model, OnError, Steps, Threads, Work,
+};
 
 mstmm_chain! {
     /// A pin and a ball.
@@ -13,6 +15,15 @@ mstmm_chain! {
         body Rod { mass = 1 kg; com = [0.5, 0.1, 0] m; inertia = diag(0.1, 0.2, 0.15) kg*m^2 about com; output = [1, 0, 0] m; }
         ground -> pin(y) a -> Rod upper -> ball b -> Rod lower;
         hinge a { torque = input; }
+    }
+}
+
+mstmm_chain! {
+    /// A chain without degrees of freedom.
+    pub chain Plate {
+        answers = [push, pull];
+        body Slab { mass = 1 kg; com = [0, 0, 0] m; inertia = diag(0.1, 0.1, 0.1) kg*m^2 about com; }
+        ground -> weld foot -> Slab slab;
     }
 }
 
@@ -130,6 +141,20 @@ fn the_first_row_that_fails_is_reported_and_others_are_computed() {
                 19 | 40 => assert!(values.iter().all(|value| value.is_nan())),
                 _ => assert_eq!(values, &good[row * NX..][..NX], "row {row}"),
             }
+        }
+    }
+}
+
+#[test]
+fn a_chain_without_degrees_of_freedom_has_empty_results() {
+    let chain = Model::<Plate<Lanes>>::default();
+    let steps = Steps { step: 1e-2, count: STEPS };
+    for work in [RK4, Work::Accelerations, Work::Pullback(steps), Work::Pushforward(steps)] {
+        for rows in [0, 1, ROWS] {
+            let inputs = Inputs { values: &[], row_stride: 0, step_stride: 0 };
+            let arrays = Arrays { rows, states: &[], inputs, given: &[], results: &mut [] };
+            let batch = Batch { chain: &chain, on_error: OnError::Fail, threads: Threads::Cores };
+            assert_eq!(batch.run(work, arrays), Ok(()), "{work:?}, {rows} rows");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::num::NonZero;
 
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
@@ -136,7 +136,7 @@ impl Core {
         Ok(())
     }
 
-    /// Computes a job for all states: its name and its own arguments.
+    /// Computes a job for all states: its name and its own arguments. The result has a row for each state.
     #[pyo3(signature = (job, arguments, x, inputs=None, given=None, threads=0, errors="raise"))]
     #[expect(clippy::too_many_arguments, reason = "the arguments of a Python function")]
     fn _run<'py>(
@@ -149,7 +149,7 @@ impl Core {
         given: Option<&Bound<'py, PyAny>>,
         threads: usize,
         errors: &str,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let how = How::of(threads, errors)?;
         let job = Job::of(&*self.0, job, arguments)?;
         let x = read("x", x)?;
@@ -163,7 +163,7 @@ impl Core {
                 job.given
             )));
         }
-        let results = PyArray1::zeros(py, count * job.result, false);
+        let results = PyArray2::zeros(py, [count, job.result], false);
         let steps = job.steps;
         let read = Read { rows: count, states: slice(&x)?, inputs: inputs.as_ref(), given, steps };
         {

@@ -52,9 +52,9 @@ def pullback(model, trajectory, inputs, h, weights):
     if weights.shape != trajectory.shape:
         raise ValueError(f"weights must have the shape of the trajectory, {trajectory.shape}, not {weights.shape}")
     rows, nx, nu = len(trajectory), model.nx, len(model.inputs)
-    given = np.concatenate([trajectory.reshape(rows, -1), weights.reshape(rows, -1)], axis=1)
+    given = np.concatenate([trajectory.reshape(rows, (n + 1) * nx), weights.reshape(rows, (n + 1) * nx)], axis=1)
     inputs = _inputs(inputs, n)
-    raw = model._run("pullback", (h, n), np.ascontiguousarray(trajectory[:, 0]), inputs, given).reshape(rows, -1)
+    raw = model._run("pullback", (h, n), np.ascontiguousarray(trajectory[:, 0]), inputs, given)
     return raw[:, :nx].copy(), raw[:, nx : nx + n * nu].reshape(rows, n, nu), raw[:, nx + n * nu :].copy()
 
 

@@ -131,7 +131,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         """Returns the results of a job of the extension, with the axes of ``x``, then one axis of results."""
         x, threads = _as_array("x", x), _whole("threads", threads)
         raw = self._run(job, arguments, x, _as_array("inputs", inputs), given, threads, errors)
-        return raw.reshape(x.shape[:-1] + (raw.size // max(1, math.prod(x.shape[:-1])),))
+        return raw.reshape(x.shape[:-1] + raw.shape[-1:])
 
     def rollout(self, x, inputs=None, h=1e-3, n=1, *, every=1, method="rk4", threads=0, errors="raise"):
         """Returns the states over ``n`` steps of ``h`` seconds, from ``x`` on.
@@ -145,7 +145,7 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         if x.ndim == 1 and inputs is not None and inputs.ndim == 2:
             inputs = inputs[None]
         raw = self._rows("rollout", (method, h, n, every), x, inputs, None, threads, errors)
-        return raw.reshape(x.shape[:-1] + (-1, self.nx))
+        return raw.reshape(x.shape[:-1] + (n // every + 1, self.nx))
 
     def record(self, x, inputs=None, h=1e-3, *, velocities=False):
         """Returns a `Recording` of the states ``x``, with the shape (frames, nx), at the times 0, ``h``, 2 ``h``, … in s.
