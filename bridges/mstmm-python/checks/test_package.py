@@ -81,17 +81,20 @@ def test_results_have_the_shapes_of_the_docs():
 
 PROGRAM = '''
 import numpy as np
-from mstmm_robots import CartPole, Panda
+from mstmm_robots import CartPole, Panda, Rope
 model = CartPole(bob_mass=0.2)
 x = model.initial(10)
 model.step(x, None, 1e-3, 10, method="rk4")
 a: np.ndarray = model.linearize(x).a
 force: np.ndarray = model.solve(x)["points"]["bob.input"]["force"]
+rope = Rope(length=0.4, ks=[1.0, 2.0, 3.0])
+rope.ks = 2 * rope.ks
 efforts: np.ndarray = Panda().inverse_dynamics(Panda().initial(), np.zeros(7))
 '''
 WRONG = {
     "CartPole(mass=1.0)": "call-arg",
     "CartPole().bob_mass = 'heavy'": "assignment",
+    "Rope().length = [1.0]": "assignment",
     "CartPole().momentum(x)": "attr-defined",
     "model.step(x, method='euler')": "arg-type",
 }

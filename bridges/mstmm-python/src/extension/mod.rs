@@ -40,8 +40,9 @@ pub fn fill(module: &Bound<'_, PyModule>, makers: Vec<Maker>) -> PyResult<()> {
 }
 
 /// The texts of the module in Python, which share their names.
-const TEXTS: [&str; 3] = [
+const TEXTS: [&str; 4] = [
     include_str!("../python/recording.py"),
+    include_str!("../python/parameters.py"),
     include_str!("../python/model.py"),
     include_str!("../python/stubs.py"),
 ];

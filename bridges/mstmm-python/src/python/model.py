@@ -1,4 +1,4 @@
-"""The classes of models. The extension runs this text after `recording.py`, with `Core`, `module_name` and the texts of its
+"""The classes of models. The extension runs this text after `parameters.py`, with `Core`, `module_name` and the texts of its
 submodules."""
 
 import math
@@ -46,13 +46,6 @@ def _whole(name, value):
     return number
 
 
-def _number(name, value):
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a number, not {value!r}") from None
-
-
 class Model(Core):  # noqa: F821 (set by the extension, as the names of `recording.py`)
     """A model of a chain of the library mstmm.
 
@@ -75,8 +68,8 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
 
     def __repr__(self):
         cls = type(self)
-        values = ", ".join(f"{name}={self.get(name)!r}" for name in cls.parameters)
-        return f"{cls.__qualname__}({values})" if _plain(cls.parameters) else f"<{cls.__qualname__} {values}>"
+        values = ", ".join(f"{name}={_shown(self.get(name))}" for name in cls._parameter_places)
+        return f"{cls.__qualname__}({values})"
 
     def __copy__(self):
         copy = type(self)()
@@ -91,28 +84,37 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return _restore, (type(self), [self._parameter(i) for i in range(len(type(self).parameters))])
 
     def get(self, parameter):
-        """Returns a parameter by its name: a float, in its unit of ``parameters.units``."""
-        return self._parameter(self._index(parameter))
+        """Returns a parameter by its name, in its unit of ``parameters.units``.
+
+        The value is a float. A parameter with a value for each repetition, such as ``"ks"`` of ``param ks[3]``, is an array
+        of the shape (repetitions,), which is read-only; ``"ks[1]"`` is one of its values.
+        """
+        return _get(self, self._places(parameter))
 
     def set(self, parameter, value):
         """Sets a parameter by its name to a float, in its unit of ``parameters.units``.
 
-        Raises ValueError with the library's reason if the value is refused.
+        A parameter with a value for each repetition also accepts an array of the shape (repetitions,); a float sets all its
+        values. Raises ValueError with the library's reason if a value is refused; the parameter is then unchanged.
         """
-        self._set_parameter(self._index(parameter), _number(parameter, value))
+        _set(self, parameter, self._places(parameter), value)
 
     def __setattr__(self, name, value):
         # Of the classes of chains only: classes that users derive from them may have further attributes.
         if "_maker" in vars(type(self)) and not hasattr(type(self), name):
-            self._index(name)
-        super().__setattr__(name, value)
+            self.set(name, value)
+        else:
+            super().__setattr__(name, value)
 
-    def _index(self, parameter):
-        try:
-            return type(self).parameters.index(parameter)
-        except ValueError:
-            known = ", ".join(type(self).parameters) or "none"
-            raise TypeError(f"{type(self).__qualname__} has no parameter {parameter!r}; its parameters: {known}") from None
+    def _places(self, parameter):
+        """Returns the index of a parameter, or the range of indices of one with a value for each repetition."""
+        cls = type(self)
+        if parameter in cls._parameter_places:
+            return cls._parameter_places[parameter]
+        if parameter in cls.parameters:
+            return cls.parameters.index(parameter)
+        known = ", ".join(cls._parameter_places) or "none"
+        raise TypeError(f"{cls.__qualname__} has no parameter {parameter!r}; its parameters: {known}")
 
     @property
     def nx(self):
@@ -410,26 +412,11 @@ class Model(Core):  # noqa: F821 (set by the extension, as the names of `recordi
         return self._compute(17, x, inputs, vector, threads, errors)
 
 
-def _plain(names):
-    return all(name.isidentifier() for name in names)
-
-
 def _restore(cls, values):
     model = cls()
     for index, value in enumerate(values):
         model._set_parameter(index, value)
     return model
-
-
-def _property(index, name, unit, default):
-    def get(self):
-        return self._parameter(index)
-
-    def set(self, value):
-        self._set_parameter(index, _number(name, value))
-
-    start = "" if default is None else f"; its default is {default:g}"
-    return property(get, set, doc=f"The parameter `{name}` in {unit}{start}.")
 
 
 def _docs(description):
@@ -466,9 +453,10 @@ def _make(module, maker):
         for frame in frames:
             places[f"{body_name}.{frame}"] = (number, frame)
     body["frames"], body["_frame_places"] = tuple(places), places
-    for index, (name, unit, start, _, _) in enumerate(description["parameters"]):
-        if name.isidentifier() and not hasattr(Model, name) and name not in body:
-            body[name] = _property(index, name, unit, start)
+    body["_parameter_places"] = _parameter_places(body["parameters"])
+    for name, places in body["_parameter_places"].items():
+        if not hasattr(Model, name) and name not in body:
+            body[name] = _property(name, places, body["parameters"])
     return type(description["name"], (Model,), body)
 
 

@@ -31,11 +31,13 @@ class Names(tuple):
 
 
 def _as_array(name, value):
-    """Returns an argument that is no array as an array; arrays are checked by the extension."""
-    if value is None or isinstance(value, np.ndarray):
+    """Returns an argument that is no array as an array; arrays are checked by the extension. Texts are not numbers."""
+    if value is None:
         return value
     try:
-        return np.ascontiguousarray(value, dtype=np.float64)
+        if np.asarray(value).dtype.kind in "SU":
+            raise TypeError("it has texts")
+        return value if isinstance(value, np.ndarray) else np.ascontiguousarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise TypeError(f"{name} must be an array of float64: {error}") from None
 
@@ -67,7 +69,7 @@ class Recording:
             if len(self) > 0 or x.ndim != 1:
                 raise ValueError("time is missing: write record(x, inputs, time), with a time in s for each frame")
             time = 0.0
-        self._core.record(x, inputs, np.atleast_1d(np.asarray(time, np.float64)).tolist())
+        self._core.record(x, inputs, np.atleast_1d(np.asarray(_as_array("time", time), np.float64)).tolist())
 
     def __len__(self):
         return self._core.len()

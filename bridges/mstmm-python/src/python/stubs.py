@@ -98,7 +98,7 @@ def _stub_of(cls, parts, model):
         lines += ["    name: str", "    dimension: str", "    answers: tuple[str, ...]", "    points: tuple[str, ...]"]
         lines += ["    frames: tuple[str, ...]", "    hinges: tuple[tuple[str, str, bool], ...]", "    lanes: int"]
         lines += ["    @property", "    def nx(self) -> int: ..."]
-        lines += ["    def get(self, parameter: str) -> float: ...", "    def set(self, parameter: str, value: float) -> None: ..."]
+        lines += ["    def get(self, parameter: str) -> Any: ...", "    def set(self, parameter: str, value: ArrayLike) -> None: ..."]
         lines += ["    def initial(self, rows: int | None = None) -> Array: ..."]
         state = "x: ArrayLike, inputs: ArrayLike | None = None"
         lines += [f"    def step(self, x: Array, inputs: Array | None = None, h: float = 1e-3, n: int = 1, *, {_METHOD}, {_HOW}) -> None: ..."]
@@ -110,13 +110,18 @@ def _stub_of(cls, parts, model):
         lines += [f"    def solve(self, {state}, *, {_HOW}) -> Solution: ...", ""]
         return lines
     lines = [f"class {model.name}(Model):", *_quoted(model.__doc__, indent)]
-    plain = [name for name in model.parameters if isinstance(getattr(model, name, None), property)]
-    arguments = "".join(f", {name}: float = ..." for name in plain)
+    # The types of a parameter that is set and read: a number, or one for each repetition.
+    types = {
+        name: ("float", "float") if isinstance(places, int) else ("ArrayLike", "Array")
+        for name, places in model._parameter_places.items()
+        if isinstance(getattr(model, name, None), property)
+    }
+    arguments = "".join(f", {name}: {given} = ..." for name, (given, _) in types.items())
     arguments = f", *{arguments}" if arguments else ""
     lines.append(f"    def __init__(self{arguments}) -> None: ...")
-    for name in plain:
-        lines += ["    @property", f"    def {name}(self) -> float:", *_quoted(getattr(model, name).__doc__, indent * 2)]
-        lines += [f"    @{name}.setter", f"    def {name}(self, value: float) -> None: ..."]
+    for name, (given, returned) in types.items():
+        lines += ["    @property", f"    def {name}(self) -> {returned}:", *_quoted(getattr(model, name).__doc__, indent * 2)]
+        lines += [f"    @{name}.setter", f"    def {name}(self, value: {given}) -> None: ..."]
     after = f"inputs: ArrayLike | None = None, *, {_HOW}"
     for name, _, is_there, given, _ in model._methods:
         if not is_there:
