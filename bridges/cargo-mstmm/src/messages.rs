@@ -4,7 +4,9 @@ use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use mstmm_codegen::diag::Warning;
 use serde::Serialize;
 use std::ops::Range;
+use std::path::Path;
 
+use crate::commands::Failure;
 use crate::source::Source;
 
 /// How serious a message is.
@@ -64,6 +66,15 @@ impl Message {
             rule: None,
             range,
         }
+    }
+
+    /// Makes the error about a file that cannot be read, at its first character.
+    #[must_use]
+    pub fn of_file(file: &Path, failure: &Failure) -> Self {
+        let source = Source::new(&Source::name(file), "");
+        let message = failure.to_string();
+        let reason = message.strip_prefix(&source.file).and_then(|rest| rest.strip_prefix(": "));
+        Self::at(&source, 0..0, reason.unwrap_or(&message))
     }
 
     /// Makes the message of an error of the compiler.

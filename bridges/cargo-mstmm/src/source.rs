@@ -3,6 +3,7 @@
 use mstmm_codegen::{Checked, CheckedChain};
 use proc_macro2::{Group, LexError, TokenStream, TokenTree};
 use std::io::Read;
+use std::ops::Range;
 use std::path::Path;
 
 use crate::commands::{Failure, read};
@@ -25,14 +26,22 @@ impl Source {
     ///
     /// If the file cannot be read or is not UTF-8.
     pub fn read(file: &Path) -> Result<Self, Failure> {
+        let name = Self::name(file);
         if file == Path::new("-") {
             let mut text = String::new();
             return match std::io::stdin().read_to_string(&mut text) {
-                Ok(_) => Ok(Self::new("standard input", &text)),
-                Err(error) => Err(Failure(format!("standard input: {error}"))),
+                Ok(_) => Ok(Self::new(&name, &text)),
+                Err(error) => Err(Failure(format!("{name}: {error}"))),
             };
         }
-        Ok(Self::new(&file.display().to_string(), &read(file)?))
+        Ok(Self::new(&name, &read(file)?))
+    }
+
+    /// Returns the name of a file for messages.
+    #[must_use]
+    pub fn name(file: &Path) -> String {
+        let is_input = file == Path::new("-");
+        if is_input { "standard input".to_owned() } else { file.display().to_string() }
     }
 
     /// Makes a source from a text.
@@ -94,13 +103,19 @@ impl Source {
         Ok(range.and_then(|range| self.text.get(range)).unwrap_or(&self.text))
     }
 
+    /// Returns the character at an empty range: an error of the tokenizer has a place without an end.
+    fn character(&self, range: Range<usize>) -> Range<usize> {
+        let letter = self.text.get(range.start..).and_then(|rest| rest.chars().next());
+        range.start..range.end.max(range.start + letter.map_or(0, char::len_utf8))
+    }
+
     fn all_tokens(&self) -> Result<TokenStream, Box<Message>> {
         self.text.parse().map_err(|error: LexError| {
             Box::new(match unclosed(&self.text) {
                 Some((range, message)) => Message::at(self, range, &message),
                 None => {
                     let text = "expected a name, a number or a sign of the language";
-                    Message::at(self, error.span().byte_range(), text)
+                    Message::at(self, self.character(error.span().byte_range()), text)
                 }
             })
         })

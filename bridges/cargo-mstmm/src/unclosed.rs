@@ -33,6 +33,10 @@ pub fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
                 Some(length) => length,
                 None => return Some((at..at + 2, "this comment is not closed".into())),
             },
+            '\'' => match quoted(rest) {
+                Some(length) => length,
+                None => return Some((at..at + 1, apostrophe(&text[..at]))),
+            },
             '"' => match string(rest) {
                 Some(length) => length,
                 None => return Some((at..at + 1, "this string is not closed".into())),
@@ -105,14 +109,44 @@ fn not_closed(at: usize, left: char) -> (Range<usize>, String) {
 /// Returns the message about a character that no token has.
 fn strange(letter: char) -> Option<String> {
     let blank = letter.is_whitespace() || letter == '\u{feff}';
-    if blank || letter.is_alphabetic() || letter.is_ascii() && !['`', '\\'].contains(&letter) {
+    if blank || letter.is_alphabetic() || is_ascii_sign(letter) {
         return None;
     }
     let instead = REPLACED.iter().find(|(other, _)| *other == letter);
     let instead = instead.map_or_else(String::new, |(_, text)| format!(": write `{text}`"));
     let code = u32::from(letter);
-    Some(format!("`{letter}` (U+{code:04X}) is not a character of the language{instead}"))
+    // Characters that are not visible are written as in Rust.
+    let shown = if letter == '\\' { letter.to_string() } else { letter.escape_debug().to_string() };
+    Some(format!("`{shown}` (U+{code:04X}) is not a character of the language{instead}"))
 }
+
+/// Returns whether an ASCII character can be in a token. An apostrophe can only be in some.
+fn is_ascii_sign(letter: char) -> bool {
+    letter.is_ascii() && !letter.is_ascii_control() && !['`', '\\'].contains(&letter)
+}
+
+/// Returns the message about an apostrophe after a text.
+fn apostrophe(before: &str) -> String {
+    let is_in_number = before.ends_with(|letter: char| letter.is_ascii_digit());
+    let instead = if is_in_number { ": write `_` between digits" } else { "" };
+    format!("`'` (U+0027) is not a character of the language{instead}")
+}
+
+/// Returns the length of the token of Rust with an apostrophe at the start of a text: of a character, or the
+/// apostrophe of a lifetime.
+fn quoted(text: &str) -> Option<usize> {
+    let mut letters = text.char_indices().skip(1);
+    let (_, first) = letters.next()?;
+    if first == '\\' {
+        letters.next()?;
+        return letters.find(|(_, letter)| *letter == '\'').map(|(at, _)| at + 1);
+    }
+    match letters.next() {
+        Some((at, '\'')) if first != '\'' => Some(at + 1),
+        _ => (first.is_alphabetic() || first == '_').then_some(1),
+    }
+}
+
 fn partner(left: char) -> char {
     match left {
         '(' => ')',

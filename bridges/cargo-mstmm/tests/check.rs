@@ -107,6 +107,18 @@ fn editors_get_objects() {
 }
 
 #[test]
+fn a_file_that_cannot_be_read_is_an_object() {
+    let (code, result, messages) = program(["check", "--json", "no.chain", &chain("arm")], "");
+    let error: serde_json::Value = serde_json::from_str(&result).expect("one object");
+    let place = ["line", "column", "end_line", "end_column"].map(|name| error[name].as_u64());
+    assert_eq!(place, [Some(1); 4]);
+    assert_eq!((&error["severity"], &error["file"]), (&"error".into(), &"no.chain".into()));
+    let message = error["message"].as_str().expect("a text");
+    assert!(!message.is_empty() && !message.contains("no.chain"), "{message}");
+    assert_eq!((code, &*messages), (1, "error: 1 error\n"));
+}
+
+#[test]
 fn warnings_do_not_fail() {
     let text = fs::read_to_string(chain("pendulum")).expect("the chain");
     let text = text.replace("start = -90 deg", "start = -90");
@@ -145,6 +157,28 @@ fn what_is_not_closed_is_told_with_its_place() {
             "chain A {\n start = \u{2212}30;\n}\n",
             (2, 10),
             "`\u{2212}` (U+2212) is not a character of the language: write `-`",
+        ),
+        (
+            "chain A {\n mass = 1'000 kg;\n}\n",
+            (2, 10),
+            "`'` (U+0027) is not a character of the language: write `_` between digits",
+        ),
+        // Rust has tokens with an apostrophe.
+        (
+            "chain A {\n a = 'b'; c = '\\''; d = 'e; f = '';\n}\n",
+            (2, 33),
+            "`'` (U+0027) is not a character of the language",
+        ),
+        (
+            "chain A {\n mass = 1\0 kg;\n}\n",
+            (2, 10),
+            "`\\0` (U+0000) is not a character of the language",
+        ),
+        // A letter that no name has.
+        (
+            "chain A {\n mass = ⓐ kg;\n}\n",
+            (2, 9),
+            "expected a name, a number or a sign of the language",
         ),
         ("chain A {\n a = `b`;\n}\n", (2, 6), "``` (U+0060) is not a character of the language"),
     ] {

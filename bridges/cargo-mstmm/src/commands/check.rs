@@ -29,7 +29,10 @@ pub fn run(arguments: &Check) -> Result<(), Failure> {
         let source = match Source::read(file) {
             Ok(source) => source,
             Err(failure) => {
-                eprintln!("error: {failure}\n");
+                match arguments.json {
+                    true => write(&json_lines(&[Message::of_file(file, &failure)]), None)?,
+                    false => eprintln!("error: {failure}\n"),
+                }
                 errors += 1;
                 continue;
             }
