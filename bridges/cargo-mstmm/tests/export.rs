@@ -81,6 +81,24 @@ fn what_urdf_has_is_written_out() {
     assert!(imported.text.contains("mass = 6 kg;"), "{}", imported.text);
 }
 
+/// URDF requires unit vectors; digits of axes that are rounded stay.
+#[test]
+fn axes_have_unit_length() {
+    for (axis, expected) in [
+        ("[0, 7, 0]", "0 1 0"),
+        ("[-3, 0, 4]", "-0.6 0 0.8"),
+        ("[3e200, 4e200, 0]", "0.6 0.8 0"),
+        ("[0.7071068, 0, 0.7071068]", "0.7071068 0 0.7071068"),
+        ("-z", "0 0 -1"),
+    ] {
+        for kind in ["pin", "slider"] {
+            let text = format!("chain Rods {{ {BODY} ground -> {kind}({axis}) a -> Rod rod; }}");
+            let urdf = export(&text, None).expect("a file");
+            assert!(urdf.contains(&format!("<axis xyz=\"{expected}\"/>")), "{axis}: {urdf}");
+        }
+    }
+}
+
 /// A capsule is the union of a cylinder and two spheres at its ends.
 #[test]
 fn shapes_are_visuals() {
@@ -153,6 +171,15 @@ fn what_urdf_does_not_have_is_refused_by_name() {
         let found = reasons(route, items);
         assert!(found.iter().any(|reason| reason == expected), "{route} {items}: {found:?}");
     }
+    let part = format!(
+        "chain Parts {{ {BODY} part Leg {{
+            pin(y) hip -> Rod rod;
+            load push {{ on = rod; force = input; }}
+            spring cord {{ on = rod.output; to = [0, 0, 1] m; stiffness = 1 N/m; }}
+         }} Rod base; base.output -> Leg left; }}"
+    );
+    let names = ["load `left.push`: URDF has no loads", "spring `left.cord`: URDF has no springs"];
+    assert_eq!(export(&part, None).unwrap_err(), names);
     let plane = "plane chain P { body R { mass = 1 kg; com = [1, 0] m; inertia = 1 kg*m^2 about com; } ground -> pin a -> R r; }";
     assert_eq!(export(plane, None).unwrap_err(), ["chain `P` is not in space: URDF files are"]);
     let constant = "chain C { body R { mass = MASS; com = [1, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; } ground -> pin a -> R r; }";

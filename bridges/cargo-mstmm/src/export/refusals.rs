@@ -15,9 +15,8 @@ pub fn refusals(chain: &Chain, values: &Values) -> Vec<String> {
     let mut reasons: Vec<String> = Vec::new();
     reasons.extend(chain.hinges.iter().filter_map(|hinge| of_hinge(hinge, values)));
     reasons.extend(chain.bodies.iter().filter_map(of_body));
-    reasons.extend(
-        chain.loads.iter().map(|Load { name, .. }| format!("load `{name}`: URDF has no loads")),
-    );
+    let load = |Load { path, .. }: &Load| format!("load `{path}`: URDF has no loads");
+    reasons.extend(chain.loads.iter().map(load));
     let spring = |Spring { path, .. }: &Spring| format!("spring `{path}`: URDF has no springs");
     reasons.extend(chain.springs.iter().map(spring));
     if chain.gravity == Source::Input {

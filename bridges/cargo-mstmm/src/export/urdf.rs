@@ -105,10 +105,10 @@ impl Writer<'_> {
     fn joint(&mut self, hinge: &Hinge, links: &[String], child: BodyId) {
         let (kind, axis) = match &hinge.kind {
             HingeKind::Pin { axis } if has_limits(hinge) => {
-                ("revolute", Some(self.values.vector(axis)))
+                ("revolute", Some(unit(self.values.vector(axis))))
             }
-            HingeKind::Pin { axis } => ("continuous", Some(self.values.vector(axis))),
-            HingeKind::Slider { axis } => ("prismatic", Some(self.values.vector(axis))),
+            HingeKind::Pin { axis } => ("continuous", Some(unit(self.values.vector(axis)))),
+            HingeKind::Slider { axis } => ("prismatic", Some(unit(self.values.vector(axis)))),
             HingeKind::Planar { normal } => ("planar", Some(Vector3::ith(*normal, 1.0))),
             HingeKind::Floating => ("floating", None),
             // Other kinds are refused.
@@ -235,6 +235,14 @@ fn needs_limit(hinge: &Hinge) -> bool {
 
 fn has_limits(hinge: &Hinge) -> bool {
     hinge.passive.first().is_some_and(|passive| passive.limits.is_some())
+}
+
+/// Returns an axis with unit length, which URDF requires. A unit vector that a file rounds to seven digits stays.
+fn unit(axis: Vector3<f64>) -> Vector3<f64> {
+    // The largest component scales, so that no square overflows.
+    let scaled = axis / axis.amax();
+    let is_unit = (axis.norm() - 1.0).abs() < 1e-6;
+    if is_unit || !scaled.norm().is_finite() { axis } else { scaled.normalize() }
 }
 
 fn list(vector: Vector3<f64>) -> String {
