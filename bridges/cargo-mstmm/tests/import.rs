@@ -1,6 +1,7 @@
 //! Small URDF files and MuJoCo models, each with its text or with the reason why it is refused; and files with random errors.
 
 use cargo_mstmm::import::{Options, import};
+use cargo_mstmm::source::Source;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,6 +66,20 @@ fn files_become_the_stored_texts() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// What the import writes is as its author intended it: no unused parameters, no starts beyond limits.
+#[test]
+fn imported_texts_give_no_warnings() {
+    let mut count = 0;
+    for path in files() {
+        let text = fs::read_to_string(&path).unwrap();
+        let Ok(imported) = import(&text, &options(&path, &text)) else { continue };
+        let (_, messages) = Source::new("a.chain", &imported.text).check();
+        assert!(messages.is_empty(), "{}: {messages:?}", path.display());
+        count += 1;
+    }
+    assert!(count > 10, "{count}");
 }
 
 /// A generator of random numbers: xorshift64*.

@@ -27,7 +27,9 @@ pub fn comments(
     );
     let mut list = |title: &str, names: Vec<String>| {
         if !names.is_empty() {
-            lines.extend(wrapped(&format!("// {title}: {}.", names.join(", ")), "//     ", ", "));
+            let text = names.join(", ");
+            let end = if text.ends_with('?') { "" } else { "." };
+            lines.extend(wrapped(&format!("// {title}: {text}{end}"), "//     ", ", "));
         }
     };
     let link = |index: &usize| line_of(&robot.links[*index].name);
@@ -47,7 +49,7 @@ pub fn comments(
     }
     let joints = || (0..source.tree.bodies.len()).filter_map(|body| source.joint(body));
     let moves = |kind: Kind| matches!(kind, Kind::Revolute | Kind::Prismatic | Kind::Continuous);
-    if joints().any(|joint| moves(joint.kind) && joint.limit.range.is_some()) {
+    if joints().any(|joint| joint.limit.range.is_some()) {
         let rule = "the largest effort of the file acts 1 deg or 1 mm beyond a limit";
         list("Not in the file", vec![format!("`limit_stiffness`; {rule}")]);
     }

@@ -144,6 +144,13 @@ impl Expressions {
         for (values, place) in sizes {
             parameters.sizes.push(Parameter { name: place.clone(), values: values.clone() });
         }
+        // Two natural signs may have equal values in these branches: the first of them is written.
+        let used: Vec<String> =
+            self.seen.iter().filter_map(|(values, _)| parameters.expression(values)).collect();
+        let is_used = |sign: &Parameter| {
+            used.iter().any(|text| text.split(['*', '-']).any(|factor| factor == sign.name))
+        };
+        parameters.signs.retain(is_used);
         let few = parameters.sizes.len() <= MOST && parameters.signs.len() <= 3;
         few.then_some(parameters)
     }

@@ -32,7 +32,7 @@ pub use error::{ImportError, Place, Result};
 pub(crate) use frame::angles_of;
 pub(crate) use names::Names;
 pub(crate) use numbers::{number, shortest};
-use robot::{Kind, Robot};
+use robot::{Kind, Mimic, Robot};
 use scope::Source;
 use text::Heading;
 
@@ -103,10 +103,16 @@ fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
     for joint in tree.bodies.iter().filter_map(|body| body.joint) {
         let joint = &robot.joints[joint];
         let name = joint.name.escape_debug();
-        if let Some(other) = &joint.mimic {
-            let other = other.escape_debug();
-            let warning =
-                format!("joint `{name}` mimics `{other}` in the file, and is independent here");
+        if let Some(mimic) = &joint.mimic {
+            let warning = match mimic {
+                Mimic::Joint(other) => {
+                    let other = other.escape_debug();
+                    format!("joint `{name}` mimics `{other}` in the file, and is independent here")
+                }
+                Mimic::Constant => {
+                    format!("joint `{name}` is held at a constant in the file, and moves here")
+                }
+            };
             warnings.push((joint.place, warning));
         }
         let omits = joint.damping > 0.0 || joint.friction > 0.0 || joint.armature > 0.0;

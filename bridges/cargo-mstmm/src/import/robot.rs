@@ -17,6 +17,8 @@ pub struct Robot {
     pub name: String,
     pub links: Vec<Link>,
     pub joints: Vec<Joint>,
+    /// In m/s².
+    pub gravity: Vector3<f64>,
     /// What the file has and the links and joints do not.
     pub notes: Vec<Note>,
 }
@@ -55,8 +57,17 @@ pub struct Joint {
     pub friction: f64,
     /// The inertia of its rotor in kg or kg m²; URDF has none.
     pub armature: f64,
-    /// The joint that the file couples it to.
-    pub mimic: Option<String>,
+    /// How the file couples it.
+    pub mimic: Option<Mimic>,
+}
+
+/// What determines the coordinate of a joint in the file.
+#[derive(Clone)]
+pub enum Mimic {
+    /// The coordinate of the joint with this name.
+    Joint(String),
+    /// Only in MuJoCo models.
+    Constant,
 }
 
 /// The type of a joint.
@@ -125,7 +136,9 @@ impl Robot {
                 ));
             }
         }
-        let joints = root.children("joint").map(|element| joint(element, &indices, snap));
+        let mut notes = Vec::new();
+        let joints =
+            root.children("joint").map(|element| joint(element, &indices, snap, &mut notes));
         let joints = joints.collect::<Result<Vec<_>>>()?;
         let mut names = HashMap::new();
         for joint in &joints {
@@ -135,7 +148,8 @@ impl Robot {
             }
         }
         let name = root.attribute("name").unwrap_or("robot").to_owned();
-        Ok(Robot { name, links, joints, notes: Vec::new() })
+        let gravity = Vector3::new(0.0, 0.0, -9.81);
+        Ok(Robot { name, links, joints, gravity, notes })
     }
 }
 
@@ -169,7 +183,12 @@ fn mass(element: Element, snap: f64) -> Result<Mass> {
     Ok(Mass { mass: value, com: Vector3::zeros(), tensor }.seen_from(&frame))
 }
 
-fn joint(element: Element, links: &HashMap<String, usize>, snap: f64) -> Result<Joint> {
+fn joint(
+    element: Element,
+    links: &HashMap<String, usize>,
+    snap: f64,
+    notes: &mut Vec<Note>,
+) -> Result<Joint> {
     let name = element.required_attribute("name")?.to_owned();
     let kind = kind(element)?;
     let linked = |tag: &str| {
@@ -192,8 +211,8 @@ fn joint(element: Element, links: &HashMap<String, usize>, snap: f64) -> Result<
                 value => Ok(value),
             },
         });
-    let mimic =
-        element.child("mimic").map(|mimic| mimic.attribute("joint").unwrap_or("").to_owned());
+    let mimic = element.child("mimic").map(|mimic| mimic.required_attribute("joint"));
+    let limit = element.child("limit").map(|element| limit(element, kind, notes));
     Ok(Joint {
         name,
         place: element.place(),
@@ -202,11 +221,11 @@ fn joint(element: Element, links: &HashMap<String, usize>, snap: f64) -> Result<
         child,
         origin,
         axis,
-        limit: element.child("limit").map_or_else(|| Ok(Limit::default()), |e| limit(e, kind))?,
+        limit: limit.transpose()?.unwrap_or_default(),
         damping: damping?,
         friction: friction?,
         armature: 0.0,
-        mimic,
+        mimic: mimic.transpose()?.map(|joint| Mimic::Joint(joint.to_owned())),
     })
 }
 
@@ -246,16 +265,24 @@ fn axis(element: Element, kind: Kind) -> Result<Vector3<f64>> {
     }
 }
 
-fn limit(element: Element, kind: Kind) -> Result<Limit> {
-    let largest = |name| {
-        let value = element.any_number(name, 0.0)?.abs();
-        Ok(if value < UNLIMITED { value } else { 0.0 })
+fn limit(element: Element, kind: Kind, notes: &mut Vec<Note>) -> Result<Limit> {
+    let mut largest = |name| {
+        let value = element.any_number(name, 0.0)?;
+        let size = value.abs();
+        if value < 0.0 && kind != Kind::Fixed {
+            notes.push(element.note(format!("the {name} {value} is negative; it is {size} here")));
+        }
+        Ok(if size < UNLIMITED { size } else { 0.0 })
     };
     let [effort, velocity] = [largest("effort")?, largest("velocity")?];
     if !matches!(kind, Kind::Revolute | Kind::Prismatic) {
         return Ok(Limit { range: None, effort, velocity });
     }
     let [low, high] = [element.any_number("lower", 0.0)?, element.any_number("upper", 0.0)?];
+    if low > high {
+        let text = format!("`lower` {low} is above `upper` {high}; there are no limits here");
+        notes.push(element.note(text));
+    }
     // Files write equal limits for none.
     let is_limited = low < high && -low < UNLIMITED && high < UNLIMITED;
     Ok(Limit { range: is_limited.then_some([low, high]), effort, velocity })

@@ -173,30 +173,38 @@ impl<'a> Scope<'a> {
             Kind::Planar | Kind::Floating => {
                 return vec!["force = input;".into(), "torque = input;".into()];
             }
-            Kind::Ball => return vec!["torque = input;".into()],
             Kind::Prismatic => &SLIDER,
-            Kind::Revolute | Kind::Continuous => &PIN,
+            Kind::Revolute | Kind::Continuous | Kind::Ball => &PIN,
         };
         let mut fields = vec![format!("{} = input;", units.effort_word)];
-        let dampings = each(&joints, |joint| joint.damping);
+        if first.kind != Kind::Ball {
+            fields.extend(self.passive(&joints, units, &name));
+        }
+        let ranges: Vec<[f64; 2]> = joints.iter().filter_map(|joint| joint.limit.range).collect();
+        if ranges.len() == joints.len() {
+            fields.extend(self.limits(&ranges, &joints, units, &name));
+        }
+        fields
+    }
+
+    /// Returns damping, friction and armature.
+    fn passive(&mut self, joints: &[&Joint], units: &Units, name: &str) -> Vec<String> {
+        let mut fields = Vec::new();
+        let dampings = each(joints, |joint| joint.damping);
         if dampings.iter().any(|damping| *damping != 0.0) {
             let damping = self.number(&dampings, &format!("{name}_damping"));
             fields.push(format!("damping = {damping} {};", units.damping));
         }
-        let frictions = each(&joints, |joint| joint.friction);
+        let frictions = each(joints, |joint| joint.friction);
         if frictions.iter().any(|friction| *friction != 0.0) {
             let friction = self.number(&frictions, &format!("{name}_friction"));
             fields.push(format!("friction = {friction} {};", units.effort));
             fields.push(format!("friction_speed = {};", units.friction_speed));
         }
-        let rotors = each(&joints, |joint| joint.armature);
+        let rotors = each(joints, |joint| joint.armature);
         if rotors.iter().any(|rotor| *rotor != 0.0) {
             let armature = self.number(&rotors, &format!("{name}_armature"));
             fields.push(format!("armature = {armature} {};", units.inertia));
-        }
-        let ranges: Vec<[f64; 2]> = joints.iter().filter_map(|joint| joint.limit.range).collect();
-        if ranges.len() == joints.len() {
-            fields.extend(self.limits(&ranges, &joints, units, &name));
         }
         fields
     }
@@ -240,8 +248,15 @@ impl<'a> Scope<'a> {
         let starts = each(&values, |[low, high]| 0.0_f64.clamp(*low, *high));
         let lists = [each(&values, |range| range[0]), each(&values, |range| range[1])];
         let scale = largest(&values);
-        let limits = self.expressions.list(&lists, scale, name, &["lowest", "highest"]);
-        let mut fields = vec![format!("limits = [{limits}] {unit};")];
+        let limits = match joints.iter().any(|joint| joint.kind == Kind::Ball) {
+            // The largest angle from rest.
+            true => self.expressions.number(&lists[1], scale, &format!("{name}_largest")),
+            false => {
+                let names = ["lowest", "highest"];
+                format!("[{}]", self.expressions.list(&lists, scale, name, &names))
+            }
+        };
+        let mut fields = vec![format!("limits = {limits} {unit};")];
         let efforts =
             each(joints, |joint| if joint.limit.effort > 0.0 { joint.limit.effort } else { 1.0 });
         let stiffness = self.number(&efforts, &format!("{name}_effort"));

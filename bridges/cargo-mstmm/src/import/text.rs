@@ -6,7 +6,7 @@ use super::comments::comments;
 use super::expressions::Expressions;
 use super::names::{Names, camel};
 use super::naming::Naming;
-use super::numbers::wrapped;
+use super::numbers::{number, wrapped};
 use super::parts::{Group, find};
 use super::scope::{Scope, Source};
 
@@ -36,7 +36,8 @@ pub fn write(source: Source, heading: &Heading) -> Written {
     lines.push("mstmm_chain! {".to_owned());
     lines.push(format!("    /// The robot `{}`: {}.", heading.chain, size(source)));
     lines.push(format!("    pub chain {} {{", heading.chain));
-    lines.push("        gravity = [0, 0, -9.81] m/s^2;".to_owned());
+    let gravity: [String; 3] = <[f64; 3]>::from(source.robot.gravity).map(number);
+    lines.push(format!("        gravity = [{}] m/s^2;", gravity.join(", ")));
     lines.push(String::new());
     lines.extend(writer.items().into_iter().map(|line| format!("        {line}")));
     lines.push("    }\n}".to_owned());
@@ -245,8 +246,7 @@ impl Writer<'_> {
     fn instance(&self, body: usize) -> Option<String> {
         for (index, group) in self.groups.iter().enumerate() {
             if let Some(branch) = group.branches.iter().position(|branch| branch[0] == body) {
-                let values =
-                    group.parameters.all().map(|p| super::numbers::number(p.values[branch]));
+                let values = group.parameters.all().map(|p| number(p.values[branch]));
                 let values: Vec<String> = values.collect();
                 let list = if values.is_empty() {
                     String::new()

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use roxmltree::Node;
 
 use super::error::{ImportError, Place, Result};
+use super::robot::Note;
 
 /// An element of the file.
 #[derive(Clone, Copy)]
@@ -30,21 +31,35 @@ impl<'a> Element<'a> {
         self.node.attributes().map(|attribute| attribute.value())
     }
 
+    /// Returns the names of all attributes without a namespace.
+    pub fn names(self) -> impl Iterator<Item = &'a str> {
+        let plain = self.node.attributes().filter(|attribute| attribute.namespace().is_none());
+        plain.map(|attribute| attribute.name())
+    }
+
     pub fn place(self) -> Place {
         let position = self.node.document().text_pos_at(self.node.range().start);
         Place { line: position.row, column: position.col }
     }
 
-    /// Makes an error that names the element and the link or the joint that contains it.
+    /// Makes an error that names the link, the joint or the body of the element.
     pub fn error(self, message: impl std::fmt::Display) -> ImportError {
-        let owner = self
-            .node
-            .ancestors()
-            .find(|node| matches!(node.tag_name().name(), "link" | "joint" | "body"));
-        let name =
-            owner.and_then(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
-        let owner = name.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
-        ImportError::at(self.place(), format!("{owner}{message}"))
+        ImportError::at(self.place(), self.named(message))
+    }
+
+    /// Makes a warning that names the link, the joint or the body of the element.
+    pub fn note(self, message: impl std::fmt::Display) -> Note {
+        Note { place: self.place(), text: self.named(message) }
+    }
+
+    /// Returns a message after the innermost name of a link, a joint or a body.
+    fn named(self, message: impl std::fmt::Display) -> String {
+        let is_owner = |tag: &str| matches!(tag, "link" | "joint" | "body");
+        let mut owners = self.node.ancestors().filter(|node| is_owner(node.tag_name().name()));
+        let owner =
+            owners.find_map(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
+        let owner = owner.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
+        format!("{owner}{message}")
     }
 
     /// Returns the child elements with a tag, in the order of the file.

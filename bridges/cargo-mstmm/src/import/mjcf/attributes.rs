@@ -48,9 +48,38 @@ impl<'a> Attributes<'a> {
         <[f64; N]>::try_from(numbers).map(Some).map_err(wrong)
     }
 
+    /// Returns the form of the orientation and its numbers. Any form of the element overrides those of its classes.
+    pub fn orientation(&self) -> Result<Option<(&'static str, Vec<f64>)>> {
+        for element in &self.elements {
+            let forms = FORMS.into_iter().filter(|form| element.attribute(form).is_some());
+            match forms.collect::<Vec<_>>()[..] {
+                [] => {}
+                [form] => return Ok(Some((form, element.numbers(form)?))),
+                [first, second, ..] => {
+                    let message =
+                        format!("`{first}` and `{second}` are two orientations: keep one");
+                    return Err(element.error(message));
+                }
+            }
+        }
+        Ok(None)
+    }
+
     /// Returns three numbers.
     pub fn vector(&self, name: &str, default: [f64; 3]) -> Result<Vector3<f64>> {
         Ok(self.numbers(name)?.unwrap_or(default).into())
+    }
+}
+
+/// The forms of an orientation.
+const FORMS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
+
+/// Returns how many numbers a form of an orientation has.
+fn count(form: &str) -> usize {
+    match form {
+        "quat" | "axisangle" => 4,
+        "xyaxes" => 6,
+        _ => 3,
     }
 }
 
@@ -168,48 +197,69 @@ impl Compiler {
 
     /// Returns the rotation of the orientation that an element has in any of its forms.
     pub fn orientation(&self, element: &Attributes) -> Result<Matrix3<f64>> {
+        let Some((form, numbers)) = element.orientation()? else { return Ok(Matrix3::identity()) };
         let error = |reason: &str| -> ImportError { element.element().error(reason) };
         let unit = |vector: Vector3<f64>| {
             Unit::try_new(vector, 1e-12).ok_or_else(|| error("an axis of the orientation is zero"))
         };
-        if let Some([w, x, y, z]) = element.numbers("quat")? {
-            let quaternion = Quaternion::new(w, x, y, z);
-            let unit = UnitQuaternion::try_new(quaternion, 1e-12);
-            let unit = unit.ok_or_else(|| error("the quaternion is zero"))?;
-            return Ok(unit.to_rotation_matrix().into_inner());
-        }
-        if let Some([x, y, z, angle]) = element.numbers("axisangle")? {
-            let axis = unit(Vector3::new(x, y, z))?;
-            return Ok(Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner());
-        }
-        if let Some(angles) = element.numbers::<3>("euler")? {
-            let mut rotation = Matrix3::identity();
-            for (letter, angle) in self.euler.iter().zip(angles) {
-                let axis = match letter.to_ascii_lowercase() {
-                    'x' => Vector3::x_axis(),
-                    'y' => Vector3::y_axis(),
-                    _ => Vector3::z_axis(),
-                };
-                let next = Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner();
-                // Lower case: axes that move with the rotations.
-                let moves = letter.is_ascii_lowercase();
-                rotation = if moves { rotation * next } else { next * rotation };
+        let rotation = match (form, &numbers[..]) {
+            ("quat", &[w, x, y, z]) => {
+                let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-12);
+                let unit = unit.ok_or_else(|| error("the quaternion is zero"))?;
+                unit.to_rotation_matrix().into_inner()
             }
-            return Ok(rotation);
-        }
-        if let Some([a, b, c, d, e, f]) = element.numbers("xyaxes")? {
-            let x = unit(Vector3::new(a, b, c))?;
-            let y = Vector3::new(d, e, f);
-            let y = unit(y - *x * x.dot(&y))?;
-            return Ok(Matrix3::from_columns(&[*x, *y, x.cross(&y)]));
-        }
-        if let Some(z) = element.numbers::<3>("zaxis")? {
-            let z = unit(z.into())?;
-            let rotation = Rotation3::rotation_between(&Vector3::z(), &z);
-            // Half a turn, about x as in MuJoCo.
-            let half = || Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
-            return Ok(rotation.unwrap_or_else(half).into_inner());
-        }
-        Ok(Matrix3::identity())
+            ("axisangle", &[x, y, z, angle]) => {
+                let axis = unit(Vector3::new(x, y, z))?;
+                Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner()
+            }
+            ("euler", &[first, second, third]) => self.by_euler([first, second, third]),
+            ("xyaxes", &[a, b, c, d, e, f]) => {
+                let x = unit(Vector3::new(a, b, c))?;
+                let y = Vector3::new(d, e, f);
+                let y = unit(y - *x * x.dot(&y))?;
+                Matrix3::from_columns(&[*x, *y, x.cross(&y)])
+            }
+            ("zaxis", &[x, y, z]) => to_axis(&unit(Vector3::new(x, y, z))?),
+            _ => {
+                let (found, expected) = (numbers.len(), count(form));
+                let message = format!("`{form}` has {found} numbers, not {expected}");
+                return Err(error(&message));
+            }
+        };
+        Ok(rotation)
     }
+
+    /// Returns the position and the rotation of the line `fromto` of a site: its middle, with z towards its start.
+    pub fn line(&self, site: &Attributes) -> Result<Option<(Vector3<f64>, Matrix3<f64>)>> {
+        let Some([a, b, c, d, e, f]) = site.numbers("fromto")? else { return Ok(None) };
+        let (start, end) = (Vector3::new(a, b, c), Vector3::new(d, e, f));
+        let axis = Unit::try_new(start - end, 1e-12);
+        let axis = axis.ok_or_else(|| site.element().error("`fromto` has no length"))?;
+        Ok(Some(((start + end) / 2.0, to_axis(&axis))))
+    }
+
+    /// Returns the rotation by three angles about the axes of `eulerseq`.
+    fn by_euler(&self, angles: [f64; 3]) -> Matrix3<f64> {
+        let mut rotation = Matrix3::identity();
+        for (letter, angle) in self.euler.iter().zip(angles) {
+            let axis = match letter.to_ascii_lowercase() {
+                'x' => Vector3::x_axis(),
+                'y' => Vector3::y_axis(),
+                _ => Vector3::z_axis(),
+            };
+            let next = Rotation3::from_axis_angle(&axis, self.angle(angle)).into_inner();
+            // Lower case: axes that move with the rotations.
+            let moves = letter.is_ascii_lowercase();
+            rotation = if moves { rotation * next } else { next * rotation };
+        }
+        rotation
+    }
+}
+
+/// Returns the shortest rotation from z to an axis.
+fn to_axis(axis: &Unit<Vector3<f64>>) -> Matrix3<f64> {
+    // Half a turn is about x as in MuJoCo.
+    let half = || Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
+    let rotation = Rotation3::rotation_between(&Vector3::z(), axis);
+    rotation.unwrap_or_else(half).into_inner()
 }

@@ -4,6 +4,9 @@
 //! ground.
 
 mod attributes;
+mod joint;
+mod settings;
+mod spelling;
 
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -11,12 +14,13 @@ use std::collections::HashMap;
 use super::error::{ImportError, Result};
 use super::frame::Frame;
 use super::mass::Mass;
-use super::robot::{Joint, Kind, Limit, Link, Note, Robot};
+use super::robot::{Joint, Kind, Limit, Link, Mimic, Robot};
 use super::xml::Element;
 use attributes::{Attributes, Compiler, Defaults};
+use settings::Settings;
 
 /// Elements that change what is described; MuJoCo writes a file without them.
-const EXPANDED: [&str; 4] = ["include", "replicate", "attach", "composite"];
+const EXPANDED: [&str; 5] = ["include", "replicate", "attach", "composite", "flexcomp"];
 
 /// Reads the element `mujoco`.
 pub fn read(root: Element, snap: f64) -> Result<Robot> {
@@ -26,6 +30,9 @@ pub fn read(root: Element, snap: f64) -> Result<Robot> {
             element.tag()
         )));
     }
+    let settings = Settings::read(root)?;
+    let mut notes = spelling::notes(root);
+    notes.extend(settings::notes(root)?);
     let mut reader = Reader {
         compiler: Compiler::read(root, snap)?,
         defaults: Defaults::read(root)?,
@@ -33,11 +40,13 @@ pub fn read(root: Element, snap: f64) -> Result<Robot> {
             name: root.attribute("model").unwrap_or("robot").to_owned(),
             links: Vec::new(),
             joints: Vec::new(),
-            notes: notes(root)?,
+            gravity: settings.gravity,
+            notes,
         },
+        settings,
         taken: HashMap::new(),
         moves: Vec::new(),
-        couples: couples(root)?,
+        couples: settings::couples(root)?,
     };
     let world = reader.link("world".to_owned(), root, Mass::none())?;
     for element in root.children("worldbody") {
@@ -46,61 +55,17 @@ pub fn read(root: Element, snap: f64) -> Result<Robot> {
     Ok(reader.robot)
 }
 
-/// Returns what the model has and the text does not.
-fn notes(root: Element) -> Result<Vec<Note>> {
-    let mut notes = Vec::new();
-    for option in root.children("option") {
-        let gravity = option.vector("gravity", [0.0, 0.0, -9.81])?;
-        if gravity != Vector3::new(0.0, 0.0, -9.81) {
-            let [x, y, z]: [f64; 3] = gravity.into();
-            let text =
-                format!("the gravity is [{x}, {y}, {z}] m/s^2 in the file; set it in the text");
-            notes.push(Note { place: option.place(), text });
-        }
-    }
-    for (section, what) in [
-        ("actuator", "actuators are omitted; the efforts of all joints are inputs"),
-        (
-            "tendon",
-            "tendons are omitted; one between two sites is a `spring`, with `force = input` if it is driven",
-        ),
-        ("contact", "contacts are omitted"),
-    ] {
-        let first = root.children(section).find(|element| element.any_children().next().is_some());
-        notes.extend(first.map(|element| Note { place: element.place(), text: what.to_owned() }));
-    }
-    Ok(notes)
-}
-
-/// Returns the joints that equations couple to others: name of the joint, name of the other. Closed loops are errors.
-fn couples(root: Element) -> Result<HashMap<String, String>> {
-    let mut couples = HashMap::new();
-    for equation in root.children("equality").flat_map(Element::any_children) {
-        match equation.tag() {
-            "joint" => {
-                let joint = equation.required_attribute("joint1")?.to_owned();
-                let other = equation.attribute("joint2").unwrap_or_default();
-                couples.insert(joint, other.to_owned());
-            }
-            tag => {
-                return Err(equation.error(format!(
-                    "the constraint `{tag}` closes a loop, which is not supported"
-                )));
-            }
-        }
-    }
-    Ok(couples)
-}
-
 struct Reader<'a> {
     compiler: Compiler,
     defaults: Defaults<'a>,
+    settings: Settings,
     robot: Robot,
     /// The names of links.
     taken: HashMap<String, ()>,
     /// Whether joints move each link.
     moves: Vec<bool>,
-    couples: HashMap<String, String>,
+    /// The joints that equations couple.
+    couples: HashMap<String, Mimic>,
 }
 
 impl<'a> Reader<'a> {
@@ -171,6 +136,7 @@ impl<'a> Reader<'a> {
         };
         let to_anchor = |sign: f64| Frame::at(anchor * sign);
         let moves = moving.is_some() || self.moves[parent];
+        self.omitted(element, moves)?;
         // The mass of the ground does not matter.
         let mass = if moves { self.mass(element)? } else { Mass::none() };
         let link = self.link(name.clone(), element, mass.seen_from(&to_anchor(-1.0)))?;
@@ -184,6 +150,20 @@ impl<'a> Reader<'a> {
         self.contents(element, link, &to_anchor(-1.0), class)
     }
 
+    /// Notes what a body has and the text does not.
+    fn omitted(&mut self, body: Element, moves: bool) -> Result<()> {
+        let notes = &mut self.robot.notes;
+        let has_gravity = self.settings.gravity != Vector3::zeros();
+        if body.number("gravcomp", 0.0)? != 0.0 && moves && has_gravity {
+            notes.push(body.note("`gravcomp` is omitted; the whole weight acts here"));
+        }
+        if body.attribute("mocap") == Some("true") {
+            notes.push(body.note("`mocap` is omitted; the body is fixed to the ground here"));
+        }
+        notes.extend(body.child("plugin").map(|plugin| plugin.note("plugins are omitted")));
+        Ok(())
+    }
+
     /// Adds a named site as a link without mass.
     fn site(
         &mut self,
@@ -193,7 +173,12 @@ impl<'a> Reader<'a> {
         class: Option<&'a str>,
     ) -> Result<()> {
         let Some(name) = element.attribute("name") else { return Ok(()) };
-        let frame = outer.compose(&self.frame(&self.defaults.of(element, "site", class)?)?);
+        let site = self.defaults.of(element, "site", class)?;
+        let inner = match self.compiler.line(&site)? {
+            Some((middle, rotation)) => Frame::rotated(middle, &rotation, self.compiler.snap),
+            None => self.frame(&site)?,
+        };
+        let frame = outer.compose(&inner);
         let is_taken = self.taken.contains_key(name);
         let name = if is_taken { format!("{name}_site") } else { name.to_owned() };
         let link = self.link(name.clone(), element, Mass::none())?;
@@ -233,82 +218,13 @@ impl<'a> Reader<'a> {
             }
             _ => return Err(inertial.error("expected `diaginertia` or `fullinertia`")),
         };
-        Ok(Mass { mass, com: Vector3::zeros(), tensor }.seen_from(&self.frame(&own)?))
-    }
-
-    fn joint(
-        &self,
-        joint: &Attributes,
-        body: &str,
-        [parent, child]: [usize; 2],
-        origin: Frame,
-    ) -> Result<Joint> {
-        let element = joint.element();
-        let tag = element.tag();
-        let kind = match (tag, joint.text("type").unwrap_or("hinge")) {
-            ("freejoint", _) | (_, "free") => Kind::Floating,
-            (_, "hinge") => Kind::Continuous,
-            (_, "slide") => Kind::Prismatic,
-            (_, "ball") => Kind::Ball,
-            (_, other) => return Err(element.error(format!("`{other}` is not a type of joint"))),
-        };
-        for refused in ["ref", "stiffness", "springdamper"] {
-            if joint.numbers_of(refused)?.iter().any(|number| *number != 0.0) {
-                return Err(element.error(format!("`{refused}` of a joint is not read")));
-            }
+        let frame = self.frame(&own)?;
+        if inertial.attribute("fullinertia").is_some() && !frame.is_parallel() {
+            return Err(inertial.error(
+                "`fullinertia` and an orientation: MuJoCo reads only one of them; write `diaginertia`",
+            ));
         }
-        let number = |name: &str| match joint.numbers_of(name)?.first() {
-            Some(value) if *value < 0.0 => {
-                Err(element.error(format!("the {name} {value} is negative")))
-            }
-            value => Ok(value.copied().unwrap_or(0.0)),
-        };
-        let axis = joint.vector("axis", [0.0, 0.0, 1.0])?;
-        if axis == Vector3::zeros() {
-            return Err(element.error("the axis is zero"));
-        }
-        let limit = self.limit(joint, kind)?;
-        let kind = match (kind, limit.range) {
-            (Kind::Continuous, Some(_)) => Kind::Revolute,
-            (kind, _) => kind,
-        };
-        let name = joint.text("name").map_or_else(|| format!("{body}_joint"), str::to_owned);
-        // A free joint has no passive efforts, whatever its class has.
-        let of_joint = |name: &str| if kind == Kind::Floating { Ok(0.0) } else { number(name) };
-        Ok(Joint {
-            mimic: self.couples.get(&name).cloned(),
-            name,
-            place: element.place(),
-            kind,
-            parent,
-            child,
-            origin,
-            axis,
-            limit,
-            damping: of_joint("damping")?,
-            friction: of_joint("frictionloss")?,
-            armature: of_joint("armature")?,
-        })
-    }
-
-    /// Returns the range of a hinge or a slide, if it is limited.
-    fn limit(&self, joint: &Attributes, kind: Kind) -> Result<Limit> {
-        let efforts = joint.numbers::<2>("actuatorfrcrange")?.unwrap_or_default();
-        let effort = efforts.iter().fold(0.0, |largest: f64, effort| largest.max(effort.abs()));
-        let range = joint.numbers::<2>("range")?;
-        let is_limited = match joint.text("limited").unwrap_or("auto") {
-            "true" => true,
-            "false" => false,
-            _ => self.compiler.limits_alone && range.is_some(),
-        };
-        let range = range.filter(|[low, high]| is_limited && low < high);
-        let range = match kind {
-            Kind::Continuous => range.map(|range| range.map(|angle| self.compiler.angle(angle))),
-            Kind::Prismatic => range,
-            // The swing of a ball has no limit in a chain.
-            _ => None,
-        };
-        Ok(Limit { range, effort, velocity: 0.0 })
+        Ok(Mass { mass, com: Vector3::zeros(), tensor }.seen_from(&frame))
     }
 }
 
