@@ -11,7 +11,7 @@ use mstmm_codegen::model::SolutionMethod;
 use mstmm_reference::Random;
 use std::fmt::Write;
 
-/// A chain of bodies of similar size, a state, and the ratio of its largest mass to its smallest one, or to 1 kg if that is
+/// A chain of bodies of similar size, a state, and the ratio of its largest mass to its smallest mass or 1 kg, whichever is
 /// less.
 struct Sample {
     text: String,

@@ -73,8 +73,8 @@ fn doc_text(attribute: &syn::Attribute) -> Option<String> {
 }
 
 /// The bound of the relative error of accelerations by `transfer`, in units of ε, divided by the sum of ten and the mass
-/// ratio. It is more than twice the largest error of random chains (`tests/mass_ratio.rs`). Forces in N are unknowns beside
-/// accelerations in m/s², so that masses above 1 kg count, too.
+/// ratio. It is more than twice the largest error of random chains (`tests/mass_ratio.rs`). Forces in N and
+/// accelerations in m/s² are unknowns of the same equations, so masses above 1 kg also increase the error.
 const TRANSFER_LOSS: f64 = 100.0;
 
 /// Returns the precision of `transfer`, if it may lose digits because of the mass ratio.
@@ -86,8 +86,8 @@ fn precision(cx: &EmitContext) -> Vec<String> {
     let times = if ratio < 1e3 { format!("{ratio:.0}") } else { format!("{ratio:.1e}") };
     let error = |epsilon: f64| TRANSFER_LOSS * (10.0 + ratio) * epsilon;
     let text = format!(
-        " **Precision of `transfer`.** The largest mass is {times} times the smallest, or 1 kg if that is less, with default \
-         parameters. `transfer` can lose digits by that factor: for bodies of similar size the relative error of accelerations \
+        " **Precision of `transfer`.** The largest mass is {times} times the smallest mass or 1 kg, whichever is less, with \
+         default parameters. `transfer` can lose digits by that factor: for bodies of similar size the relative error of accelerations \
          is up to {:.1e} in `f64` and {:.1e} in `f32`. The error of wrenches at the lightest bodies is up to a \
          hundred times larger. `riccati` does not lose digits.",
         error(f64::EPSILON),

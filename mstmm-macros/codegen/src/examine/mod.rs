@@ -37,8 +37,8 @@ pub struct Findings {
     pub closure_rank: ClosureRank,
     /// The mobility of a chain that is held at both ends, if a closed pose was found.
     pub mobility: Option<Mobility>,
-    /// The largest mass divided by the smallest, or by 1 kg if that is less, with parameters at their defaults; `None` if
-    /// masses are Rust constants.
+    /// The largest mass divided by the smallest mass or 1 kg, whichever is less, with parameters at their defaults; `None`
+    /// if masses are Rust constants.
     pub mass_ratio: Option<f64>,
     /// The indices of the dynamic parameters that motions can identify, if the chain has a regressor and its numbers are
     /// known.
@@ -83,7 +83,6 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     if chain.constants > 0 {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
-    dry_run.warn_of_limits(diagnostics);
     if moves_all {
         dry_run.warn_of_singular_accelerations(diagnostics);
     }
@@ -104,6 +103,8 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     } else if whole && moves_all && !closes_from_start {
         dry_run.warn_of_open_loop(!poses.is_empty(), diagnostics);
     }
+    // A place has one warning: that of its limits is the least serious.
+    dry_run.warn_of_limits(diagnostics);
     let mass_ratio = Some(dry_run.mass_ratio());
     let start = Some(dry_run.drawing(poses, &chain.unrolled_springs(most)));
     let has_regressor = chain.requests.contains(&Request::Regressor) && chain.repeats.is_empty();
@@ -143,7 +144,7 @@ impl DryRun {
         vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect()
     }
 
-    /// Returns the largest mass divided by the smallest, or by 1 kg if that is less.
+    /// Returns the largest mass divided by the smallest mass or 1 kg, whichever is less.
     fn mass_ratio(&self) -> f64 {
         let bodies = self.chain.bodies.iter().filter(|body| body.role == Role::Physical);
         let masses = bodies.map(|body| self.values.scalar(&body.mass).value());

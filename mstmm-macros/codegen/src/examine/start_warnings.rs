@@ -23,12 +23,9 @@ const DISTANCE: f64 = 1e-9;
 impl DryRun {
     /// Warns of hinges that start beyond their limits. Prescribed motions have no start.
     pub fn warn_of_limits(&self, diagnostics: &mut Diagnostics) {
-        // Repetitions of a hinge have the same path.
-        let mut reported: Vec<&String> = Vec::new();
         for hinge in self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed()) {
             let path = &hinge.path;
-            if self.starts_beyond_limits(hinge) && !reported.contains(&path) {
-                reported.push(path);
+            if self.starts_beyond_limits(hinge) {
                 let message = format!(
                     "hinge `{path}` starts beyond its limits, whose springs push it back: write a `start` within them"
                 );
@@ -37,7 +34,7 @@ impl DryRun {
         }
     }
 
-    /// Whether springs of unit stiffness at the limits store energy at the start.
+    /// Returns whether a hinge starts beyond its limits: springs of unit stiffness there store energy.
     fn starts_beyond_limits(&self, hinge: &Hinge) -> bool {
         let stiff = |limits: &Limits| Limits { stiffness: Value::number(1.0), ..limits.clone() };
         let limits_of = |passive: &Passive| Passive {
@@ -88,7 +85,7 @@ impl DryRun {
             (
                 OPEN_LOOP,
                 "no pose near the start closes this chain, so `assemble` fails: check the lengths of the bodies and \
-                         the positions of the ends, or write a `start` of the hinges near a closed pose",
+                 the positions of the ends, or write a `start` of the hinges near a closed pose",
             )
         };
         diagnostics.warn(closing.name.span(), rule, message);

@@ -162,7 +162,9 @@ fn target(
             let message = match before {
                 _ if floats => format!("`{path}` is a body: write `body {path} {{ … }}`"),
                 Some(RouteItem::Hinge { name: Some(hinge), .. }) => {
-                    format!("`{path}` is a body: write the name of its hinge, `{}`", hinge.path)
+                    let prefix = written.scopes[written_block.scope].prefix();
+                    let hinge = hinge.path.strip_prefix(prefix).unwrap_or(&hinge.path);
+                    format!("`{path}` is a body: write the name of its hinge, `{hinge}`")
                 }
                 _ => format!("`{path}` is a body: write the name of a hinge"),
             };

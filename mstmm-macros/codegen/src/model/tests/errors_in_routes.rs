@@ -319,6 +319,10 @@ fn blocks_of_hinges_name_hinges() {
         &[("link", "`link` is a body: write the name of its hinge, `joint`")],
     );
     expect_rods(
+        "part Leg { pin hip -> Rod thigh; hinge thigh { start = 1; } } ground -> pin joint -> Rod trunk -> Leg left;",
+        &[("thigh", "`thigh` is a body: write the name of its hinge, `hip`")],
+    );
+    expect_rods(
         &route("Rod link -> pin joint -> Rod end"),
         &[("link", "`link` is a body: write `body link { … }`")],
     );
