@@ -35,7 +35,7 @@ pub fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
             },
             '\'' => match quoted(rest) {
                 Some(length) => length,
-                None => return Some((at..at + 1, apostrophe(&text[..at]))),
+                None => return Some((at..at + 1, apostrophe(&text[..at], &rest[1..]))),
             },
             '"' => match string(rest) {
                 Some(length) => length,
@@ -125,9 +125,10 @@ fn is_ascii_sign(letter: char) -> bool {
     letter.is_ascii() && !letter.is_ascii_control() && !['`', '\\'].contains(&letter)
 }
 
-/// Returns the message about an apostrophe after a text.
-fn apostrophe(before: &str) -> String {
-    let is_in_number = before.ends_with(|letter: char| letter.is_ascii_digit());
+/// Returns the message about an apostrophe between two texts.
+fn apostrophe(before: &str, after: &str) -> String {
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    let is_in_number = before.ends_with(is_digit) && after.starts_with(is_digit);
     let instead = if is_in_number { ": write `_` between digits" } else { "" };
     format!("`'` (U+0027) is not a character of the language{instead}")
 }

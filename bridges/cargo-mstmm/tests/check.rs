@@ -163,6 +163,7 @@ fn what_is_not_closed_is_told_with_its_place() {
             (2, 10),
             "`'` (U+0027) is not a character of the language: write `_` between digits",
         ),
+        ("chain A {\n a = 30';\n}\n", (2, 8), "`'` (U+0027) is not a character of the language"),
         // Rust has tokens with an apostrophe.
         (
             "chain A {\n a = 'b'; c = '\\''; d = 'e; f = '';\n}\n",

@@ -68,7 +68,7 @@ fn files_become_the_stored_texts() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// What the import writes is as its author intended it: no unused parameters, no starts beyond limits.
+/// Imported texts give no warnings: no unused parameters, no starts beyond limits.
 #[test]
 fn imported_texts_give_no_warnings() {
     let mut count = 0;

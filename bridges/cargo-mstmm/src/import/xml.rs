@@ -58,7 +58,9 @@ impl<'a> Element<'a> {
         let mut owners = self.node.ancestors().filter(|node| is_owner(node.tag_name().name()));
         let owner =
             owners.find_map(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
-        let owner = owner.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
+        // A line break would end a comment.
+        let owner = owner
+            .map_or_else(String::new, |(tag, name)| format!("{tag} `{}`: ", name.escape_debug()));
         format!("{owner}{message}")
     }
 

@@ -232,6 +232,9 @@ impl Compiler {
     /// Returns the position and the rotation of the line `fromto` of a site: its middle, with z towards its start.
     pub fn line(&self, site: &Attributes) -> Result<Option<(Vector3<f64>, Matrix3<f64>)>> {
         let Some([a, b, c, d, e, f]) = site.numbers("fromto")? else { return Ok(None) };
+        if site.vector("pos", [0.0; 3])? != Vector3::zeros() {
+            return Err(site.element().error("`fromto` and `pos` are two positions: keep one"));
+        }
         let (start, end) = (Vector3::new(a, b, c), Vector3::new(d, e, f));
         let axis = Unit::try_new(start - end, 1e-12);
         let axis = axis.ok_or_else(|| site.element().error("`fromto` has no length"))?;

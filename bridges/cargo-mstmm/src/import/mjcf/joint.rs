@@ -54,7 +54,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Returns the coefficient of the rate. Those of its higher powers are a warning.
+    /// Returns the coefficient of the rate. Coefficients of higher powers give a warning.
     fn damping(&mut self, joint: &Attributes, name: &str) -> Result<f64> {
         let numbers = joint.numbers_of("damping")?;
         if numbers.len() > 3 {
@@ -77,7 +77,7 @@ impl Reader<'_> {
         Ok(first)
     }
 
-    /// Returns the range of a joint, if it is limited. That of a ball begins with zero.
+    /// Returns the range of a joint, if it is limited. The range of a ball begins with zero.
     fn limit(&self, joint: &Attributes, kind: Kind) -> Result<Limit> {
         let efforts = joint.numbers::<2>("actuatorfrcrange")?.unwrap_or_default();
         let effort = efforts.iter().fold(0.0, |largest: f64, effort| largest.max(effort.abs()));
@@ -136,7 +136,7 @@ fn kind(joint: &Attributes) -> Result<Kind> {
     })
 }
 
-/// Returns a number, zero if it is absent.
+/// Returns a number, or zero if the attribute is absent. Negative numbers are errors.
 fn not_negative(joint: &Attributes, name: &str, number: Option<[f64; 1]>) -> Result<f64> {
     match number {
         Some([value]) if value < 0.0 => {

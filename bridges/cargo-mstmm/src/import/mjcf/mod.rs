@@ -125,9 +125,11 @@ impl<'a> Reader<'a> {
             [joint] => Some(self.defaults.of(*joint, "joint", class)?),
             [_, second, ..] => {
                 let count = joints.len();
-                return Err(second.error(format!(
-                    "the body `{name}` has {count} joints, and a chain has a body after each hinge"
-                )));
+                let message = format!(
+                    "body `{}` has {count} joints, and a chain has a body after each hinge",
+                    name.escape_debug()
+                );
+                return Err(ImportError::at(second.place(), message));
             }
         };
         let anchor = match &moving {
@@ -218,12 +220,13 @@ impl<'a> Reader<'a> {
             }
             _ => return Err(inertial.error("expected `diaginertia` or `fullinertia`")),
         };
-        let frame = self.frame(&own)?;
-        if inertial.attribute("fullinertia").is_some() && !frame.is_parallel() {
+        if inertial.attribute("fullinertia").is_some() && own.orientation()?.is_some() {
             return Err(inertial.error(
-                "`fullinertia` and an orientation: MuJoCo reads only one of them; write `diaginertia`",
+                "`fullinertia` and an orientation exclude each other, as in MuJoCo: remove the orientation, or write \
+                 `diaginertia` in its axes",
             ));
         }
+        let frame = self.frame(&own)?;
         Ok(Mass { mass, com: Vector3::zeros(), tensor }.seen_from(&frame))
     }
 }

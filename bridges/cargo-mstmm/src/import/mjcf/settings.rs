@@ -1,4 +1,4 @@
-//! What the elements `option` say, and what of a model the text does not have.
+//! Reads the settings of the elements `option`, and lists what the import omits.
 
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -27,7 +27,7 @@ impl Settings {
         let constraints = is_enabled(root, "constraint")?;
         Ok(Settings {
             gravity: if is_enabled(root, "gravity")? { gravity } else { Vector3::zeros() },
-            // The flag `passive` is that of versions before 3.3.6.
+            // Older versions have the flag `passive` instead of `spring` and `damper`.
             dampers: is_enabled(root, "damper")? && is_enabled(root, "passive")?,
             friction: constraints && is_enabled(root, "frictionloss")?,
             limits: constraints && is_enabled(root, "limit")?,
@@ -78,10 +78,14 @@ pub fn notes(root: Element) -> Result<Vec<Note>> {
     Ok(notes)
 }
 
-/// Returns the joints that equations couple, by their names. Closed loops are errors.
+/// Returns the joints that active equations couple, by their names. Closed loops are errors.
 pub fn couples(root: Element) -> Result<HashMap<String, Mimic>> {
     let mut couples = HashMap::new();
-    for equation in root.children("equality").flat_map(Element::any_children) {
+    if !(is_enabled(root, "constraint")? && is_enabled(root, "equality")?) {
+        return Ok(couples);
+    }
+    let equations = root.children("equality").flat_map(Element::any_children);
+    for equation in equations.filter(|equation| equation.attribute("active") != Some("false")) {
         match equation.tag() {
             "joint" => {
                 let joint = equation.required_attribute("joint1")?.to_owned();
