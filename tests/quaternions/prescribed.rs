@@ -116,14 +116,15 @@ fn closed_chains_are_assembled_with_all_accepted_lengths() {
         let mut state = chain.initial_state();
         chain.assemble(&mut state, &inputs).expect("a closed pose");
         let error = chain.closure_error(&state, &inputs).expect("finite");
-        assert!(error < 1e-14, "{error:e} with {quaternion:?}");
+        // `assemble` ends within this distance of a closed pose.
+        assert!(error <= 64.0 * f64::EPSILON, "{error:e} with {quaternion:?}");
         state
     };
     let unit = assembled(of_length(1.0));
     for quaternion in accepted().into_iter().chain([of_length(1.0 + 6e-8)]) {
         let state = assembled(quaternion);
         let differences = state.q.iter().zip(&unit.q).map(|(a, b)| (a - b).abs());
-        // Newton's method ends within 64 ε of a closed pose.
+        // Ten times that distance, for lengths of about a metre.
         assert!(differences.fold(0.0, f64::max) < 1e-13, "{quaternion:?}: {state:?}, {unit:?}");
     }
 }

@@ -87,8 +87,8 @@ fn precision(cx: &EmitContext) -> Vec<String> {
     let error = |epsilon: f64| TRANSFER_LOSS * (10.0 + ratio) * epsilon;
     let text = format!(
         " **Precision of `transfer`.** The largest mass is {times} times the smallest mass or 1 kg, whichever is less, with \
-         default parameters. `transfer` can lose digits by that factor: for bodies of similar size the relative error of accelerations \
-         is up to {:.1e} in `f64` and {:.1e} in `f32`. The error of wrenches at the lightest bodies is up to a \
+         default parameters. `transfer` can lose digits by that factor: for bodies of similar size the relative \
+         error of accelerations is up to {:.1e} in `f64` and {:.1e} in `f32`. The error of wrenches at the lightest bodies is up to a \
          hundred times larger. `riccati` does not lose digits.",
         error(f64::EPSILON),
         error(f32::EPSILON.into()),
