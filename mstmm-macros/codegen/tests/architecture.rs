@@ -233,14 +233,20 @@ fn loops(code: &str) -> Vec<&str> {
     headers.chain(statements).collect()
 }
 
+/// Returns the loops over links, and those along paths of links.
+fn sweeps_by_hand(code: &str) -> Vec<&str> {
+    let statements = code.split([';', '{', '}']).filter(|statement| statement.contains(".fold("));
+    let along_paths = loops(code).into_iter().chain(statements).filter(|it| has_word(it, "path"));
+    loops(code).into_iter().filter(|over| has_word(over, "links")).chain(along_paths).collect()
+}
+
 #[test]
 fn only_the_sweeps_loop_over_links() {
     let folder = source().join("equations");
     for file in files(&folder).into_iter().filter(|file| !file.ends_with("sweep.rs")) {
         let text = fs::read_to_string(&file).expect("a readable file");
-        for over in loops(&code(&text)) {
-            assert!(!has_word(over, "links"), "{} sweeps by hand: {over}", file.display());
-        }
+        let by_hand = code(&text);
+        assert_eq!(sweeps_by_hand(&by_hand), [""; 0], "{} sweeps by hand", file.display());
     }
 }
 
@@ -263,14 +269,17 @@ fn hand_written_sweeps_are_found() {
         "for index in (0..links.len()).rev() {}",
         "while let Some(last) = links.iter().rev().next() {}",
         "let all = links\n    .iter()\n    .rev().map(pass);",
+        "for &link in path.iter().rev() {}",
+        "let force = path.iter().fold(force, to_child);",
     ];
-    let others =
-        ["for (index, load) in chain.loads.enumerate() {}", "links.iter().map(own).collect();"];
-    let sweeps_by_hand = |text: &str| {
-        loops(&code(&format!("fn f() {{\n{text}\n}}"))).iter().any(|over| has_word(over, "links"))
-    };
-    sweeps.iter().for_each(|text| assert!(sweeps_by_hand(text), "{text}"));
-    others.iter().for_each(|text| assert!(!sweeps_by_hand(text), "{text}"));
+    let others = [
+        "for (index, load) in chain.loads.enumerate() {}",
+        "links.iter().map(own).collect();",
+        "tree.carry_outward(path, force, to_child);",
+    ];
+    let by_hand = |text: &str| !sweeps_by_hand(&code(&format!("fn f() {{\n{text}\n}}"))).is_empty();
+    sweeps.iter().for_each(|text| assert!(by_hand(text), "{text}"));
+    others.iter().for_each(|text| assert!(!by_hand(text), "{text}"));
 }
 
 #[test]

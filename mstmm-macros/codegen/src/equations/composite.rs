@@ -100,10 +100,9 @@ impl<S: Scalar> CompositeBody<S> {
     }
 }
 
-/// No values cross a boundary.
 impl<S: Scalar> Flatten<S> for CompositeBody<S> {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
-        self
+        bug!("a composite body reaches the boundary of a repeated part")
     }
 }
 
@@ -119,9 +118,6 @@ pub(super) fn composite_bodies<S: Scalar>(
     links: &PerLink<LinkKinematics<S>>,
     trace: &mut Trace<S>,
 ) -> PerLink<CompositeBody<S>> {
-    if context.tree.hook().is_some() {
-        bug!("composite bodies of repeated parts are not loops")
-    }
     let own = links.iter().map(CompositeBody::of_link).collect();
     let ground = CompositeBody {
         rigid: RigidInertia::zero(),
@@ -222,7 +218,7 @@ pub(super) fn to_ground<S: Scalar, B>(
     mut visit: impl FnMut(LinkId, &B),
     inward: impl Fn(LinkId, B) -> B,
 ) -> B {
-    context.tree.path_to(from).into_iter().rev().fold(start, |carried, link| {
+    context.tree.carry_inward(&context.tree.path_to(from), start, |link, carried| {
         visit(link, &carried);
         inward(link, carried)
     })

@@ -156,10 +156,10 @@ pub fn dynamic_parameters<S: Scalar>(context: &EvalContext<S>) -> Vec<S> {
 #[derive(Clone)]
 struct UnitMotions<S>(Vec<(usize, Motion<S>)>);
 
-/// The columns of a chain with repeated parts follow from products, so no values cross a boundary.
+/// The columns of a chain with repeated parts follow from products.
 impl<S: Scalar> Flatten<S> for UnitMotions<S> {
     fn visit(self, _: &mut dyn FnMut(S) -> S) -> Self {
-        self
+        bug!("motions at unit rates reach the boundary of a repeated part")
     }
 }
 

@@ -184,6 +184,35 @@ impl<'a, S: Scalar> LinkTree<'a, S> {
         (carried, results)
     }
 
+    /// Carries a value inward along a path without boundaries, from its last link to the ground or to the link before the path.
+    /// `step` carries it across the hinge of a link.
+    pub fn carry_inward<B>(
+        &self,
+        path: &[LinkId],
+        start: B,
+        mut step: impl FnMut(LinkId, B) -> B,
+    ) -> B {
+        path.iter().rev().fold(start, |carried, &link| step(self.inside(link), carried))
+    }
+
+    /// Carries a value outward along a path without boundaries, to its last link. `step` carries it across the hinge of a link.
+    pub fn carry_outward<B>(
+        &self,
+        path: &[LinkId],
+        start: B,
+        mut step: impl FnMut(LinkId, B) -> B,
+    ) -> B {
+        path.iter().fold(start, |carried, &link| step(self.inside(link), carried))
+    }
+
+    /// Returns a link, which is not at a boundary.
+    fn inside(&self, link: LinkId) -> LinkId {
+        if self.hook.is_some() && self.is_boundary(link) {
+            bug!("a value is carried across a boundary of a repeated part")
+        }
+        link
+    }
+
     /// Crosses a boundary with values that pass from link to link on a path, which enter and leave a
     /// repeated part once.
     fn cross_route<B: Flatten<S>>(&self, link: LinkId, direction: SweepDirection, carried: B) -> B {

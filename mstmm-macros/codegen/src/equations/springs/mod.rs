@@ -247,11 +247,8 @@ impl<'a, S: Scalar> Springs<'a, S> {
     /// Returns the motion of a spring between two links, in the work axes of their last common link.
     fn on_two_links(&self, spring: &Spring, paths: &[Vec<LinkId>; 2]) -> SpringMotion<S> {
         let [on, to] = self.ends_on_two_links(spring, paths).map(|(arm, path)| {
-            let mut motion = SpringMotion { displacement: arm, velocity: Vec3::zero() };
-            for &link in path.iter().rev() {
-                motion = motion.across(&self.links[link]);
-            }
-            motion
+            let start = SpringMotion { displacement: arm, velocity: Vec3::zero() };
+            self.context.tree.carry_inward(path, start, |link, it| it.across(&self.links[link]))
         });
         SpringMotion {
             displacement: on.displacement - to.displacement,
@@ -283,12 +280,9 @@ impl<'a, S: Scalar> Springs<'a, S> {
         let points = [(&spring.on, on, force), (to_point(spring), to, -force)];
         let on_link = |(point, (arm, path), force): (&BodyPoint, (Vec3<S>, &[LinkId]), Vec3<S>)| {
             let to_child =
-                |force, link: &LinkId| self.links[*link].hinge.to_parent.rotate_back(force);
-            Some(PointForce {
-                link: self.link_at(point)?,
-                arm,
-                force: path.iter().fold(force, to_child),
-            })
+                |link: LinkId, force| self.links[link].hinge.to_parent.rotate_back(force);
+            let force = self.context.tree.carry_outward(path, force, to_child);
+            Some(PointForce { link: self.link_at(point)?, arm, force })
         };
         points.into_iter().filter_map(on_link).collect()
     }
