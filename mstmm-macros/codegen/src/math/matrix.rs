@@ -82,8 +82,8 @@ impl<S: Scalar> Mat3<S> {
         let twice =
             Vec3([self[2][1] - self[1][2], self[0][2] - self[2][0], self[1][0] - self[0][1]]);
         let sine = twice * S::number(0.5);
-        // So small that it only avoids 0/0: angle and sine vanish together.
-        let length = (sine.dot(sine) + S::number(1e-30)).sqrt();
+        // Angle and sine vanish together.
+        let length = sine.dot(sine).divisible_root();
         sine * (length.atan2(self.angle_cosine()) * length.recip())
     }
 

@@ -45,6 +45,12 @@ pub trait Scalar:
         self.copysign(Self::one())
     }
 
+    /// `√(self + 10⁻³⁰)`: the length of a vector from its square, such that one can divide by it. Above 10⁻⁷ it is the length, to
+    /// rounding.
+    fn divisible_root(self) -> Self {
+        (self + Self::number(1e-30)).sqrt()
+    }
+
     /// `self` if it is positive, zero otherwise.
     fn positive_part(self) -> Self {
         (self + Scalar::abs(self)) * Self::number(0.5)

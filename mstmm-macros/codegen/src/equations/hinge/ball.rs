@@ -62,8 +62,8 @@ pub fn rotation_vector<S: Scalar>(rest: &[S], q: &[S]) -> Vec3<S> {
     let (w1, r1) = (q[0], Vec3([q[1], q[2], q[3]]));
     let cos = w0 * w1 + r0.dot(r1);
     let sin = r1 * w0 - r0 * w1 - r0.cross(r1);
-    // So small that it only avoids 0/0: angle and sine vanish together.
-    let length = (sin.dot(sin) + S::number(1e-30)).sqrt();
+    // Angle and sine vanish together.
+    let length = sin.dot(sin).divisible_root();
     let half = length.atan2(cos.abs());
     sin * (S::number(2.0).copysign(cos) * half * length.recip())
 }

@@ -131,8 +131,8 @@ fn add_cone_stop<S: Scalar>(
 ) -> S {
     let [high, stiffness, damping] =
         [&limits.high, &limits.stiffness, &limits.damping].map(|value| state.values.scalar(value));
-    // So small that it only avoids 0/0 at rest, where no stop acts.
-    let angle = (dot(state.strains, state.strains) + S::number(1e-30)).sqrt();
+    // At rest no stop acts.
+    let angle = dot(state.strains, state.strains).divisible_root();
     let over = (angle - high).positive_part();
     let beyond = (angle - high).is_positive();
     let along_axis = stiffness * over * angle.recip();

@@ -352,10 +352,5 @@ fn length<S: Scalar>(displacement: Vec3<S>) -> S {
 
 /// Returns `1 / |r|`, which is finite for a length of zero.
 fn inverse_length<S: Scalar>(displacement: Vec3<S>) -> S {
-    regular_length(displacement).recip()
-}
-
-/// Returns `|r|`, at least 1e-15 m.
-fn regular_length<S: Scalar>(displacement: Vec3<S>) -> S {
-    (displacement.dot(displacement) + S::number(1e-30)).sqrt()
+    displacement.dot(displacement).divisible_root().recip()
 }

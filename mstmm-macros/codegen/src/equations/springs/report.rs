@@ -2,7 +2,7 @@
 
 use super::super::kinematics::poses;
 use super::super::{Axes, EvalContext, Trace, kinematics};
-use super::{SpringSpan, Springs, regular_length};
+use super::{SpringSpan, Springs};
 use crate::ids::SpringId;
 use crate::math::{Scalar, Vec3};
 
@@ -75,7 +75,7 @@ impl<S: Scalar> Springs<'_, S> {
         let [stiffness, damping, rest] =
             [&spring.stiffness, &spring.damping, &spring.length].map(|value| values.scalar(value));
         // Sums that the forces also contain would be rounded in another order if they were used here.
-        let length = regular_length(motion.displacement);
+        let length = motion.displacement.dot(motion.displacement).divisible_root();
         let inverse = length.recip();
         let length_rate = motion.displacement.dot(motion.velocity) * inverse;
         let passive = stiffness * (length - rest) + damping * length_rate;
