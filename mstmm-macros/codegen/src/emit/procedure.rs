@@ -222,7 +222,10 @@ impl Printer<'_> {
                 statements.extend(match self.destination(id) {
                     Destination::Vector(place) => quote!(#place.data.0 = [#name];),
                     Destination::Array(place) => quote!(#place = #name;),
-                    _ => TokenStream::new(),
+                    Destination::New(_) => TokenStream::new(),
+                    Destination::Matrix(..) | Destination::Fields(_) | Destination::Closure => {
+                        bug!("a result that is not filled is kept back")
+                    }
                 });
             }
         }

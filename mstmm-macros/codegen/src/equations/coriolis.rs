@@ -93,8 +93,7 @@ pub fn coriolis_matrix_times<S: Scalar>(
 ) -> Vec<S> {
     let links = base_kinematics(context, axes, trace);
     let closed = loop_hinge(context, axes, &links);
-    let given =
-        |hinge: &HingeKinematics<S>| context.given_accelerations(hinge.id).unwrap_or_default();
+    let given = |hinge: &HingeKinematics<S>| context.factors(hinge.id);
     let ground = VelocityField { velocity: Motion::zero(), derivative: Motion::zero() };
     let (fields, _) = context.tree.outward(ground, |link, parent| {
         let hinge = &links[link].hinge;

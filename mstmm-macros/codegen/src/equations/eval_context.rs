@@ -208,6 +208,16 @@ impl<'a, S: Scalar> EvalContext<'a, S> {
         accelerations.map(|all| &all[self.layout.v[hinge].clone()])
     }
 
+    /// Returns the entries for a hinge of the vector that a matrix is multiplied with, which takes the place of the
+    /// accelerations; none if its motion is prescribed, since it has no free rates.
+    pub fn factors(&self, hinge: HingeId) -> &'a [S] {
+        let Some(vector) = self.accelerations else { bug!("a product lacks its vector") };
+        match self.prescribed(hinge) {
+            Some(_) => &[],
+            None => &vector[self.layout.v[hinge].clone()],
+        }
+    }
+
     /// Returns the accelerations of a hinge whose motion is prescribed.
     pub fn prescribed_accelerations(&self, hinge: HingeId) -> Option<&'a [S]> {
         let kind = &self.chain.hinges[hinge].kind;

@@ -142,20 +142,15 @@ pub fn mass_matrix_times<S: Scalar>(
     let closed = loop_hinge(context, axes, &links);
     let (accelerations, _) = context.tree.outward(Motion::zero(), |link, parent| {
         let hinge = &links[link].hinge;
-        let own = match context.given_accelerations(hinge.id) {
-            Some(given) => combine(hinge.subspace.iter(), given),
-            None => Motion::zero(),
-        };
+        let own = combine(hinge.subspace.iter(), context.factors(hinge.id));
         (hinge.motion_from_parent(*parent) + own, ())
     });
     let wrenches = links.enumerate();
     let wrenches =
         wrenches.map(|(index, link)| link.spatial_inertia().times(accelerations[index])).collect();
     let wrenches = hinge_wrenches(context, &links, wrenches, trace);
-    let rotors = |hinge: &HingeKinematics<S>| {
-        let given = context.given_accelerations(hinge.id).unwrap_or_default();
-        hinge.passives.rotor_efforts(given)
-    };
+    let rotors =
+        |hinge: &HingeKinematics<S>| hinge.passives.rotor_efforts(context.factors(hinge.id));
     with_efforts_of_hinges(context, (&links, closed), &wrenches, rotors)
 }
 

@@ -88,8 +88,13 @@ impl<'a, S: Scalar> Tangent<'a, S> {
 
 /// Returns dual numbers with these values and derivatives; no derivatives stand for zeros.
 fn dual<S: Scalar>(values: &[S], derivatives: &[S]) -> Vec<Dual<S>> {
-    let derivative = |k: usize| derivatives.get(k).copied().unwrap_or_else(S::zero);
-    values.iter().enumerate().map(|(k, &value)| Dual::new(value, derivative(k))).collect()
+    if derivatives.is_empty() {
+        return values.iter().map(|&value| Dual::new(value, S::zero())).collect();
+    }
+    if derivatives.len() != values.len() {
+        bug!("{} values have {} derivatives", values.len(), derivatives.len())
+    }
+    values.iter().zip(derivatives).map(|(&value, &by)| Dual::new(value, by)).collect()
 }
 
 /// Replaces dual numbers at the boundaries of repeated parts: their values as the equations without

@@ -36,7 +36,8 @@ impl Graph {
             (Node::CopySign(a, b), 0) => one.copysign(of(a)) * one.copysign(of(b)),
             (Node::Atan2(y, x), 0) => of(x) * (of(y) * of(y) + of(x) * of(x)).recip(),
             (Node::Atan2(y, x), 1) => -(of(y) * (of(y) * of(y) + of(x) * of(x)).recip()),
-            _ => Expr::number(0.0),
+            (Node::CopySign(..) | Node::RecipAbove(..), 1) => Expr::number(0.0),
+            (node, operand) => bug!("{node:?} has no operand {operand}"),
         }
     }
 }
