@@ -88,8 +88,7 @@ fn arguments(chain: &Chain, unknowns: &Unknowns, random: &mut Random) -> Arrays<
                 for repetition in 0..segment.repetitions {
                     let value = match argument {
                         Argument::Parameter(parameter) => {
-                            let default =
-                                constant(chain, &chain.parameters[parameter.index()].default);
+                            let default = constant(chain, &chain.parameters[parameter].default);
                             default * random.between(0.9, 1.1)
                         }
                         Argument::ClosureSteps => 1.0,

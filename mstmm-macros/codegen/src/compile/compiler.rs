@@ -6,7 +6,6 @@ use crate::equations::{self, AXES, EvalContext, HingePivot, SymbolValues, Trace}
 use crate::examine::Findings;
 use crate::expr::{Edge, Expr, Graph, Stage};
 use crate::function::{Function, Heading, LoopTracer, NamedPivot, Output, Unknowns, Written};
-use crate::ids::ParameterId;
 use crate::math::PIVOT_ULPS;
 use crate::model::{Chain, Check, ClosureRank, Hinge, HingeKind, Layout, SolutionMethod, Value};
 use crate::passes::SetupSlots;
@@ -50,7 +49,7 @@ impl<'a> ChainCompiler<'a> {
         graph: &'a Graph,
     ) -> Self {
         let symbols = |argument, stage| symbols(unknowns, graph, (argument, stage));
-        let parameters = (0..chain.parameters.len()).map(ParameterId);
+        let parameters = chain.parameters.ids().into_iter();
         let inputs = layout.inputs.ids().into_iter();
         ChainCompiler {
             chain,

@@ -1,7 +1,7 @@
 //! The layouts of a chain's arrays.
 
 use super::PointStorage;
-use crate::ids::{HingeId, RepeatId};
+use crate::ids::{HingeId, ParameterId, RepeatId};
 use crate::model::{Chain, ConnectionPoints, Dimension, DynamicParameter, Input, Layout};
 use crate::program::ArrayLayout;
 
@@ -40,19 +40,19 @@ pub fn all_rates(chain: &Chain, layout: &Layout) -> ArrayLayout {
 }
 
 /// Returns the layout of a parameter.
-pub fn parameter(chain: &Chain, index: usize) -> ArrayLayout {
-    let is_repeated = chain.parameters[index].repetitions.is_some();
-    let repeat = is_repeated.then(|| chain.repeat_of_parameter(index)).flatten();
-    of(chain, [(1, repeat)])
+pub fn parameter(chain: &Chain, id: ParameterId) -> ArrayLayout {
+    of(chain, [(1, part_of_values(chain, id))])
 }
 
 /// Returns the layout of all parameters.
 pub fn parameters(chain: &Chain) -> ArrayLayout {
-    let parameter = |index: usize| {
-        let is_repeated = chain.parameters[index].repetitions.is_some();
-        (1, is_repeated.then(|| chain.repeat_of_parameter(index)).flatten())
-    };
-    of(chain, (0..chain.parameters.len()).map(parameter))
+    of(chain, chain.parameters.ids().into_iter().map(|id| (1, part_of_values(chain, id))))
+}
+
+/// Returns the repeated part that a parameter has a value for in each repetition, if it has several values.
+fn part_of_values(chain: &Chain, id: ParameterId) -> Option<RepeatId> {
+    chain.parameters[id].repetitions?;
+    chain.repeat_of_parameter(id)
 }
 
 /// Returns the layout of all inputs.

@@ -5,7 +5,7 @@ use super::{layouts, outputs};
 use crate::equations::{AXES, OpenChain, virtual_power};
 use crate::expr::Expr;
 use crate::function::{Function, gradient, share_carries, substitute};
-use crate::ids::{ParameterId, SymbolId};
+use crate::ids::SymbolId;
 use crate::program::{Argument, Given};
 use std::collections::HashMap;
 
@@ -65,7 +65,7 @@ impl<'a> ChainCompiler<'a> {
     fn differentiated(&self) -> (Vec<SymbolId>, [usize; 4]) {
         let of = |argument| self.unknowns.of(argument).into_iter().collect::<Vec<SymbolId>>();
         let inputs = self.layout.inputs.ids().into_iter();
-        let parameters = (0..self.chain.parameters.len()).map(ParameterId);
+        let parameters = self.chain.parameters.ids().into_iter();
         let groups = [
             of(Argument::Given(Given::CoordinateDirection)),
             of(Argument::Rates),

@@ -3,7 +3,6 @@
 use super::layouts;
 use crate::equations::writes_matrices_out;
 use crate::function::Unknowns;
-use crate::ids::ParameterId;
 use crate::model::{Chain, ClosureRank, Hinge, HingeSpec, Input, InputKind, Layout, Request};
 use crate::program::{Argument, ArrayLayout, Given};
 use proc_macro2::Ident;
@@ -23,9 +22,9 @@ pub(super) fn unknowns(chain: &Chain, layout: &Layout, rank: ClosureRank) -> Unk
         let names = names.into_iter().map(|name| distinct(name, &mut taken));
         unknowns.add(argument, layout, names.collect());
     };
-    for (index, parameter) in chain.parameters.iter().enumerate() {
-        let layout = layouts::parameter(chain, index);
-        add(Argument::Parameter(ParameterId(index)), layout, vec![text(&parameter.name)]);
+    for (id, parameter) in chain.parameters.enumerate() {
+        let layout = layouts::parameter(chain, id);
+        add(Argument::Parameter(id), layout, vec![text(&parameter.name)]);
     }
     let once = |argument, names: Vec<String>| (argument, ArrayLayout::once(names.len()), names);
     let numbered = |name: &str, count: usize| -> Vec<String> {

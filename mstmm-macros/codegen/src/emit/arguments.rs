@@ -33,7 +33,7 @@ pub fn load(printer: &Printer, from: &ArraySlice, into: &[Option<ValueId>]) -> T
         Argument::Rates => of_state(quote!(state_.v)),
         Argument::Given(given) => of_state(self::given(given).1),
         Argument::Parameter(parameter) => {
-            let field = &cx.chain.parameters[parameter.index()].name;
+            let field = &cx.chain.parameters[parameter].name;
             let names = names(printer, into);
             quote!(let #(#names)* = parameters_.#field;)
         }
@@ -77,7 +77,7 @@ pub fn loop_input(
         Argument::Given(given) => slices(self::given(given).1),
         Argument::Slots(Some(part)) => slices(sealed::of_part(cx, &quote!(self), part)),
         Argument::Parameter(parameter) => {
-            let field = &cx.chain.parameters[parameter.index()].name;
+            let field = &cx.chain.parameters[parameter].name;
             ((quote!(&#(#names)*), quote!(parameters_.#field.iter())), TokenStream::new())
         }
         Argument::Input(input) => {

@@ -119,8 +119,8 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
             #[doc = #doc]
         }
     });
-    let index = cx.chain.parameters.iter().position(|other| other.name == *name);
-    let is_used = index.is_some_and(|index| cx.chain.closure_uses(index));
+    let id = cx.chain.parameters.position(|other| other.name == *name);
+    let is_used = id.is_some_and(|id| cx.chain.closure_uses(id));
     let chain = closure::with_rank(cx, is_used, quote!(chain_));
     let cost = (is_used && closure::directions(cx).is_some()).then(|| {
         quote! {

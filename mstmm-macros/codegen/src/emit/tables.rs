@@ -245,11 +245,11 @@ fn plain_inputs(cx: &EmitContext) -> Option<Vec<(String, usize)>> {
 }
 
 fn parameter_entries(cx: &EmitContext) -> Vec<Unplaced> {
-    let entries = cx.chain.parameters.iter().enumerate().map(|(index, parameter)| Unplaced {
+    let entries = cx.chain.parameters.enumerate().map(|(id, parameter)| Unplaced {
         path: indexed(&parameter.name.to_string(), parameter.repetitions.is_some()),
         unit: if parameter.unit.is_empty() { "1".to_owned() } else { parameter.unit.clone() },
         start: default(cx, &parameter.default),
-        repeat: cx.chain.repeat_of_parameter(index).zip(parameter.repetitions),
+        repeat: cx.chain.repeat_of_parameter(id).zip(parameter.repetitions),
     });
     entries.collect()
 }
@@ -271,7 +271,9 @@ fn dynamic_parameter_entries(cx: &EmitContext) -> Vec<Unplaced> {
         };
         let name = cx.chain.name_of_dynamic_parameter(parameter);
         // The index of a repetition follows the path of the element: `rod[3].mass`.
-        let quantity = name.strip_prefix(&**element).unwrap_or_default();
+        let Some(quantity) = name.strip_prefix(&**element) else {
+            bug!("`{name}` is not named after `{element}`")
+        };
         let path = format!("{}{quantity}", indexed(element, repeat.is_some()));
         Unplaced { path, unit: String::new(), start: None, repeat: cx.counted(repeat) }
     };

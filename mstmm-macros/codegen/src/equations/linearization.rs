@@ -19,6 +19,7 @@ use super::open_chain::OpenChain;
 use super::strategy::factorizes_mass_matrix;
 use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace};
+use crate::ids::ParameterId;
 use crate::math::Scalar;
 
 /// Accelerations, the inverse of the mass matrix, and derivatives that are to be multiplied by `−M⁻¹`.
@@ -62,8 +63,8 @@ pub fn linearization<S: Scalar>(
     let parameters = context.values.parameters.len();
     let mut by_parameters = DenseMatrix::zero(count, parameters);
     trace.section("parameters", "Derivatives by parameters", "");
-    for parameter in 0..parameters {
-        by_parameters.set_column(parameter, &by_parameter(&at, axes, parameter));
+    for parameter in context.chain.parameters.ids() {
+        by_parameters.set_column(parameter.index(), &by_parameter(&at, axes, parameter));
     }
     Linearization {
         accelerations: accelerations.clone(),
@@ -113,8 +114,8 @@ fn motor_efforts<S: Scalar>(context: &EvalContext<S>) -> Vec<S> {
 }
 
 /// Returns `∂(ID − τ)/∂w` for a parameter.
-fn by_parameter<S: Scalar>(context: &EvalContext<S>, axes: Axes, parameter: usize) -> Vec<S> {
-    let parameters = unit_vector(context.values.parameters.len(), parameter);
+fn by_parameter<S: Scalar>(context: &EvalContext<S>, axes: Axes, parameter: ParameterId) -> Vec<S> {
+    let parameters = unit_vector(context.values.parameters.len(), parameter.index());
     let direction = Direction { parameters, ..Direction::default() };
     let tangent = Tangent::new(context, &direction);
     let dual = tangent.context(context);

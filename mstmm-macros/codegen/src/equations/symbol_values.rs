@@ -26,7 +26,7 @@ impl<S: Scalar> SymbolValues<S> {
     pub fn scalar(&self, value: &Value) -> S {
         match value {
             Value::Number(number) => S::number(*number),
-            Value::Symbol(Symbol::Parameter(index)) => self.parameters[*index],
+            Value::Symbol(Symbol::Parameter(id)) => self.parameters[id.index()],
             Value::Symbol(Symbol::Constant(index)) => self.constants[*index],
             Value::Sum(a, b) => self.scalar(a) + self.scalar(b),
             Value::Product(a, b) => self.scalar(a) * self.scalar(b),

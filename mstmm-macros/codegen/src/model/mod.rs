@@ -30,7 +30,7 @@ mod unrolled;
 mod value;
 
 pub use crate::ids::{
-    BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, PointId, RepeatId, SpringId,
+    BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, ParameterId, PointId, RepeatId, SpringId,
 };
 pub use answer::Answer;
 pub use body_frames::{BodyFrame, FrameValues};
@@ -69,7 +69,7 @@ pub struct Chain {
     /// Acceleration of free fall in m/s², inertial frame.
     pub gravity: Source,
     /// The parameters, in the order written.
-    pub parameters: Vec<Parameter>,
+    pub parameters: IdVec<ParameterId, Parameter>,
     /// How many constants are given as Rust paths: [`Symbol::Constant`] indexes them.
     pub constants: usize,
     /// The bodies on the routes, in the order written.

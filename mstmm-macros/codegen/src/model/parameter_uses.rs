@@ -1,17 +1,17 @@
 //! Uses of parameters.
 
 use super::{
-    Attachment, Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, Passive,
-    RepeatId, Source, Spring, SpringEnd, Value,
+    Attachment, Body, Chain, Drive, Effort, Frame, Friction, Hinge, Limits, Load, ParameterId,
+    Passive, RepeatId, Source, Spring, SpringEnd, Value,
 };
 use crate::diag::Diagnostics;
 
 /// Reports parameters with one value for each repetition that are used outside one repeated part.
 pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics: &mut Diagnostics) {
-    for (index, parameter) in chain.parameters.iter().enumerate() {
+    for (id, parameter) in chain.parameters.enumerate() {
         let Some(times) = parameter.repetitions else { continue };
         let name = &parameter.name;
-        let mut parts = chain.parts_that_use(index);
+        let mut parts = chain.parts_that_use(id);
         parts.dedup();
         let message = match parts[..] {
             [] => continue,
@@ -39,7 +39,7 @@ pub(super) fn repeated_parameters_stay_in_their_part(chain: &Chain, diagnostics:
 impl Chain {
     /// Returns the repeated part that a parameter belongs to. A parameter that nothing uses belongs to the first part with
     /// as many repetitions as it has values.
-    pub fn repeat_of_parameter(&self, parameter: usize) -> Option<RepeatId> {
+    pub fn repeat_of_parameter(&self, parameter: ParameterId) -> Option<RepeatId> {
         let times = self.parameters[parameter].repetitions?;
         let using = self.parts_that_use(parameter).into_iter().flatten().next();
         using.or_else(|| self.repeats.position(|repeat| repeat.count == times))
@@ -47,7 +47,7 @@ impl Chain {
 
     /// Returns whether frames, axes or the start depend on a parameter. The rank of the loop
     /// constraints may then depend on it, too.
-    pub fn closure_uses(&self, parameter: usize) -> bool {
+    pub fn closure_uses(&self, parameter: ParameterId) -> bool {
         let start = self.hinges.iter().flat_map(|hinge| &hinge.start);
         self.geometry().chain(start).any(|value| value.uses(parameter))
     }
@@ -69,7 +69,7 @@ impl Chain {
 
     /// Returns the repeated parts in which a parameter is used, in their order; `None` is
     /// everything else.
-    fn parts_that_use(&self, parameter: usize) -> Vec<Option<RepeatId>> {
+    fn parts_that_use(&self, parameter: ParameterId) -> Vec<Option<RepeatId>> {
         let used = |values: Vec<&Value>| values.into_iter().any(|value| value.uses(parameter));
         let bodies = self.bodies.enumerate();
         let bodies = bodies.map(|(index, body)| (self.repeat_of_body(index), of_body(body)));

@@ -175,7 +175,7 @@ impl Chain {
 
     /// Returns the check of the squared length of a quaternion.
     fn of_quaternion(&self, square: &Value) -> Option<Check> {
-        let mut repeated = (0..self.parameters.len()).filter(|&parameter| {
+        let mut repeated = self.parameters.ids().into_iter().filter(|&parameter| {
             self.parameters[parameter].repetitions.is_some() && square.uses(parameter)
         });
         let part = match repeated.next() {

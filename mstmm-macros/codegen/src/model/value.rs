@@ -1,10 +1,12 @@
 //! Numbers of a model: exact ones fold, those known only at run time stay formulas.
 
+use super::ParameterId;
+
 /// A number that the compiler does not know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Symbol {
-    /// Index into [`super::Chain::parameters`].
-    Parameter(usize),
+    /// A parameter of the chain.
+    Parameter(ParameterId),
     /// A Rust path, evaluated when the chain is made.
     Constant(usize),
 }
@@ -119,7 +121,7 @@ impl Value {
     }
 
     /// Whether it contains a parameter.
-    pub fn uses(&self, parameter: usize) -> bool {
+    pub fn uses(&self, parameter: ParameterId) -> bool {
         match self {
             Number(_) => false,
             Value::Symbol(symbol) => *symbol == Symbol::Parameter(parameter),
@@ -151,7 +153,7 @@ impl Value {
     pub fn at(&self, values: &[Option<f64>]) -> Option<f64> {
         match self {
             Number(value) => Some(*value),
-            Value::Symbol(Symbol::Parameter(index)) => values[*index],
+            Value::Symbol(Symbol::Parameter(id)) => values[id.index()],
             Value::Symbol(Symbol::Constant(_)) => None,
             Sum(a, b) => Some(a.at(values)? + b.at(values)?),
             Product(a, b) => Some(a.at(values)? * b.at(values)?),

@@ -1,5 +1,6 @@
 //! Chains whose numbers are all parameters, so that nothing is folded or rounded at compile time.
 
+use mstmm_codegen::ids::{IdVec, ParameterId};
 use mstmm_codegen::model::{
     Attachment, Chain, Drive, Effort, Frame, Friction, Hinge, HingeKind, Limits, Parameter,
     Passive, Source, SpringEnd, Symbol, Value,
@@ -41,7 +42,7 @@ pub fn lifted(mut chain: Chain) -> Chain {
 }
 
 struct Lift {
-    parameters: Vec<Parameter>,
+    parameters: IdVec<ParameterId, Parameter>,
 }
 
 impl Lift {
@@ -65,12 +66,11 @@ impl Lift {
     fn parameter(&mut self, number: f64) -> Value {
         let name = Ident::new(&format!("number{:x}", number.to_bits()), Span::call_site());
         let is_it = |it: &Parameter| it.name == name;
-        let index = self.parameters.iter().position(is_it).unwrap_or_else(|| {
+        let id = self.parameters.position(is_it).unwrap_or_else(|| {
             let (default, unit) = (Value::Number(number), String::new());
-            self.parameters.push(Parameter { name, default, unit, repetitions: None });
-            self.parameters.len() - 1
+            self.parameters.push(Parameter { name, default, unit, repetitions: None })
         });
-        Value::Symbol(Symbol::Parameter(index))
+        Value::Symbol(Symbol::Parameter(id))
     }
 
     fn all(&mut self, values: &mut [Value]) {

@@ -6,7 +6,7 @@ use super::interpreter::{Arrays, Judge, run};
 use super::lifted::lifted;
 use super::numbers;
 use mstmm_codegen::compile::{Compiled, compile};
-use mstmm_codegen::ids::{InputId, ParameterId};
+use mstmm_codegen::ids::InputId;
 use mstmm_codegen::model::{Chain, HingeKind, InputKind, Layout};
 use mstmm_codegen::program::Argument;
 use mstmm_reference::{Dimension, Ends, HingeChoice, Random, Recipe};
@@ -119,10 +119,10 @@ impl Twins {
         };
         let of = |argument| match argument {
             Argument::Parameter(parameter) => {
-                let parameter = &repeated.chain.parameters[parameter.index()];
+                let parameter = &repeated.chain.parameters[parameter];
                 gathered(parameter.repetitions, &parameter.name.to_string(), &|name| {
-                    let index = unrolled.chain.parameters.iter().position(|it| it.name == name);
-                    Argument::Parameter(ParameterId(index.expect("the same parameter")))
+                    let id = unrolled.chain.parameters.position(|it| it.name == name);
+                    Argument::Parameter(id.expect("the same parameter"))
                 })
             }
             Argument::Input(input) => {
@@ -211,9 +211,9 @@ impl Twin {
 
     fn random_number(&self, argument: Argument, random: &mut Random) -> f64 {
         match argument {
-            Argument::Parameter(ParameterId(index)) => {
-                let parameter = &self.chain.parameters[index];
-                let default = numbers::<f64>(&self.chain).parameters[index].value();
+            Argument::Parameter(id) => {
+                let parameter = &self.chain.parameters[id];
+                let default = numbers::<f64>(&self.chain).parameters[id.index()].value();
                 let is_lifted = parameter.name.to_string().starts_with("number");
                 if is_lifted { default } else { default * random.between(0.9, 1.1) }
             }

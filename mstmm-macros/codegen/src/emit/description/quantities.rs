@@ -173,11 +173,11 @@ fn has_both(hinge: &Hinge) -> bool {
 
 /// Returns the table of parameters.
 pub fn parameters(cx: &EmitContext) -> Vec<Row> {
-    let rows = cx.chain.parameters.iter().enumerate().map(|(index, parameter)| {
+    let rows = cx.chain.parameters.enumerate().map(|(id, parameter)| {
         let path = indexed(&parameter.name.to_string(), parameter.repetitions.is_some());
         let unit = if parameter.unit.is_empty() { "1" } else { &parameter.unit };
         let default = default(cx, &parameter.default);
-        let repeat = cx.chain.repeat_of_parameter(index);
+        let repeat = cx.chain.repeat_of_parameter(id);
         Row {
             tokens: quote!(parameter_(#path, #unit, #default)),
             repeat: repeat.zip(parameter.repetitions),

@@ -21,10 +21,10 @@ impl Context<'_> {
         let Some(angle) = found.value.at(&defaults).filter(|angle| angle.is_finite()) else {
             return;
         };
-        if angle.abs() <= TAU || uses_pi(expr, &self.parameters) {
+        if angle.abs() <= TAU || uses_pi(expr, self.parameters.as_slice()) {
             return;
         }
-        let edited = without_sign(default_of(expr, &self.parameters));
+        let edited = without_sign(default_of(expr, self.parameters.as_slice()));
         let message = match edited.kind {
             ExprKind::Number(number) => {
                 let number = shown(number);

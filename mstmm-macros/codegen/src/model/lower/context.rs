@@ -5,8 +5,9 @@ use std::collections::HashSet;
 
 use super::dimension::PhysicalDimension;
 use crate::diag::{Diagnostics, did_you_mean};
+use crate::ids::IdVec;
 use crate::model::condition::Requirement;
-use crate::model::{self, Symbol, Value};
+use crate::model::{self, ParameterId, Symbol, Value};
 use crate::syntax::{ExprSyntax, FieldSyntax, SpanRange, ValueSyntax};
 
 /// The state of the lowering: names, constants and diagnostics.
@@ -14,7 +15,7 @@ pub(super) struct Context<'a> {
     /// In how many directions the chain moves.
     pub space: model::Dimension,
     /// The parameters that may be used, in the order of [`Symbol::Parameter`].
-    pub parameters: Vec<KnownParameter<'a>>,
+    pub parameters: IdVec<ParameterId, KnownParameter<'a>>,
     /// The parameters that may not be used yet.
     pub later_parameters: Vec<&'a Ident>,
     /// The parameters of all parts.
@@ -76,7 +77,7 @@ impl<'a> Context<'a> {
     pub fn new(space: model::Dimension, complete: bool, diagnostics: &'a mut Diagnostics) -> Self {
         Context {
             space,
-            parameters: Vec::new(),
+            parameters: IdVec::new(),
             later_parameters: Vec::new(),
             part_parameters: Vec::new(),
             constants: Vec::new(),

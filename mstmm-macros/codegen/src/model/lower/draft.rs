@@ -15,7 +15,7 @@ use super::route_item::RouteItem;
 use super::setting::Settings;
 use super::start::RouteStart;
 use super::vector::zeros;
-use crate::ids::IdVec;
+use crate::ids::{IdVec, ParameterId};
 use crate::model::condition::Requirement;
 use crate::model::{
     About, Attachment, Body, BodyId, Chain, Dimension, Drive, Element, Frame, FromPrevious, Hinge,
@@ -36,7 +36,7 @@ pub(crate) struct Draft<'a> {
     /// Settings of the whole chain.
     pub settings: Settings,
     /// Parameters: values that may change at run time.
-    pub parameters: Vec<Parameter>,
+    pub parameters: IdVec<ParameterId, Parameter>,
     /// The names of the parameters on which no value depends.
     pub unused_parameters: Vec<&'a Ident>,
     /// The number of Rust constants.

@@ -142,7 +142,7 @@ impl Context<'_> {
     }
 
     fn name(&mut self, name: &Ident) -> Option<(Value, Measure)> {
-        if let Some(index) = self.parameters.iter().position(|other| other.name == name) {
+        if let Some(index) = self.parameters.position(|other| other.name == name) {
             let parameter = &mut self.parameters[index];
             parameter.is_used = true;
             return Some((Value::Symbol(Symbol::Parameter(index)), parameter.measure));

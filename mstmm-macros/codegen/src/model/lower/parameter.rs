@@ -4,16 +4,20 @@ use proc_macro2::Ident;
 
 use super::context::{Context, KnownParameter, Measure};
 use crate::diag::Diagnostics;
-use crate::model::{Parameter, Symbol, Value};
+use crate::ids::IdVec;
+use crate::model::{Parameter, ParameterId, Symbol, Value};
 use crate::syntax::{ChainSyntax, FieldSyntax, ParameterSyntax, ValueSyntax};
 
 /// Reads all parameters. After this they may be used.
-pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) -> Vec<Parameter> {
+pub(super) fn parameters<'a>(
+    def: &'a ChainSyntax,
+    context: &mut Context<'a>,
+) -> IdVec<ParameterId, Parameter> {
     context.later_parameters = def.parameters.iter().map(|def| &def.field.name).collect();
     let read: Vec<_> =
         def.parameters.iter().map(|def| (def, parameter(&def.field, context))).collect();
     context.later_parameters.clear();
-    let mut parameters = Vec::new();
+    let mut parameters = IdVec::new();
     for (index, (ParameterSyntax { field, repetitions }, read)) in read.into_iter().enumerate() {
         let FieldSyntax { name, value, .. } = field;
         let default_expr = match value {
@@ -22,7 +26,7 @@ pub(super) fn parameters<'a>(def: &'a ChainSyntax, context: &mut Context<'a>) ->
         };
         // A parameter with an error is known, fits any dimension and has no known value: its
         // default is the parameter itself.
-        let itself = Value::Symbol(Symbol::Parameter(index));
+        let itself = Value::Symbol(Symbol::Parameter(ParameterId(index)));
         let (default, measure) = read.unwrap_or((itself, Measure::Open));
         let unit = match measure {
             Measure::Of(dimension) => dimension.unit(),

@@ -2,7 +2,7 @@
 
 use super::{PENDULUM, chain, edited};
 use super::{all_known, constants, known};
-use crate::ids::{BodyId, HingeId};
+use crate::ids::{BodyId, HingeId, ParameterId};
 use crate::model::{
     About, Attachment, Dimension, Drive, Effort, Element, Frame, HingeKind, Passive, Results,
     SolutionMethod, Source, Symbol, Value,
@@ -97,11 +97,11 @@ fn an_arm_with_a_payload() {
     assert_eq!(known(&chain.bodies[BodyId(0)].com), [0.0, 0.002, -0.048]);
     let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]];
     assert_eq!(chain.bodies[BodyId(0)].output.rotation.each_ref().map(known), about_x);
-    let payload = Value::Symbol(Symbol::Parameter(0));
+    let payload = Value::Symbol(Symbol::Parameter(ParameterId(0)));
     assert_eq!(chain.bodies[BodyId(1)].mass, Value::number(0.74).plus(payload));
     assert_eq!(known(&chain.bodies[BodyId(1)].com), [0.0, 0.0, 0.05]);
-    assert_eq!(chain.parameters[0].unit, "kg");
-    assert_eq!(chain.parameters[0].default.known(), Some(0.5));
+    assert_eq!(chain.parameters[ParameterId(0)].unit, "kg");
+    assert_eq!(chain.parameters[ParameterId(0)].default.known(), Some(0.5));
     let Attachment::Ground(frame) = &chain.hinges[HingeId(0)].inboard else {
         panic!("on the ground")
     };
@@ -206,7 +206,7 @@ fn units_scale_add_and_close_products() {
 #[test]
 fn paths_and_parameters_stay_formulas() {
     let constant = |index| Value::Symbol(Symbol::Constant(index));
-    let parameter = |index| Value::Symbol(Symbol::Parameter(index));
+    let parameter = |index| Value::Symbol(Symbol::Parameter(ParameterId(index)));
     let number = Value::number;
     assert_eq!(mass("MASS"), constant(0));
     assert_eq!(mass("MASS + crate::consts::MASS + MASS"), {
