@@ -116,7 +116,7 @@ macro_rules! wrists_keep_their_mobility {
             let name = "widest";
             assert_eq!(wrist.set_widest(3.2), Err(Error::InvalidParameter { name, reason }));
             assert_eq!(wrist.set_widest(PI), Ok(()));
-            let reason = "must not leave the axes of hinge `cross` parallel";
+            let reason = "must not leave successive axes of hinge `cross` parallel";
             for tilt in [1.0, 1.0 + 1e-6] {
                 let found = wrist.set_tilt(tilt);
                 assert_eq!(found, Err(Error::InvalidParameter { name: "tilt", reason }));

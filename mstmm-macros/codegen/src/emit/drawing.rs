@@ -6,7 +6,7 @@ mod passive;
 use super::{gravity, routes};
 use crate::examine::Drawing;
 use crate::ids::PointId;
-use crate::model::{Attachment, Dimension, Element, ElementPoints, Hinge, HingeKind, Role};
+use crate::model::{Attachment, Dimension, Element, ElementPoints, Hinge, Role};
 
 /// The longer side of the drawing without margins, in pixels.
 const SIZE: f64 = 400.0;
@@ -226,25 +226,16 @@ fn ends(drawing: &Drawing, camera: &Camera) -> Vec<String> {
 fn hinge(drawing: &Drawing, camera: &Camera, element: usize, hinge: &Hinge) -> String {
     let [inboard, outboard] = ends_of(drawing, camera, element);
     let [x, y] = inboard;
-    let sign = match hinge.kind {
-        HingeKind::Weld => format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0),
-        HingeKind::Pin { .. }
-        | HingeKind::Screw { .. }
-        | HingeKind::Universal { .. }
-        | HingeKind::Gimbal { .. } => {
-            format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill-opacity=\"0.15\"")
-        }
-        HingeKind::Ball => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\""),
-        HingeKind::Slider { .. }
-        | HingeKind::Cylindrical { .. }
-        | HingeKind::Planar { .. }
-        | HingeKind::Floating
-        | HingeKind::Elastic
-        | HingeKind::PlaneElastic => format!(
-            "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"10\" height=\"10\" fill-opacity=\"0.15\"",
-            x - 5.0,
-            y - 5.0
-        ),
+    let groups = hinge.kind.spec().groups;
+    let sign = if groups.is_empty() {
+        format!("<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"", x - 4.0, y - 4.0)
+    } else if groups.iter().any(|group| !group.rotational) {
+        let (x, y) = (x - 5.0, y - 5.0);
+        format!("<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"10\" height=\"10\" fill-opacity=\"0.15\"")
+    } else if hinge.kind.spec().quaternion().is_some() {
+        format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\"")
+    } else {
+        format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill-opacity=\"0.15\"")
     };
     let line = match inboard == outboard {
         true => String::new(),

@@ -7,8 +7,7 @@ use super::condition::{Bound, Condition};
 use super::length::{self, BOUNDS};
 use super::lower::FieldNames;
 use super::{
-    Body, Chain, DofGroup, Hinge, HingeKind, Limits, Passive, RepeatId, Representation, Spring,
-    Value,
+    Body, Chain, DofGroup, Hinge, Limits, Passive, RepeatId, Representation, Spring, Value,
 };
 use crate::diag::SpanRange;
 
@@ -207,11 +206,8 @@ fn of_hinge(hinge: &Hinge) -> Vec<Check> {
     let lengths = hinge.kind.axes().iter().map(|axis| length::squared(axis));
     let mut checks: Vec<Check> =
         lengths.filter_map(|square| of_length(square, &format!("the axis of {owner}"))).collect();
-    checks.extend(hinge.kind.successive_axes().into_iter().filter_map(|axes| {
-        let reason = match hinge.kind {
-            HingeKind::Universal { .. } => format!("must not leave the axes of {owner} parallel"),
-            _ => format!("must not leave successive axes of {owner} parallel"),
-        };
+    checks.extend(hinge.kind.successive_axes().filter_map(|axes| {
+        let reason = format!("must not leave successive axes of {owner} parallel");
         Check::new(length::sine_margin(axes), Bound::BePositive, reason)
     }));
     checks.extend(of_pitch(hinge, &owner));

@@ -124,8 +124,10 @@ fn axes(hinge: &Hinge) -> Vec<[Value; 3]> {
         HingeKind::Planar { normal } => {
             vec![[0, 1, 2].map(|axis| Value::number(if axis == *normal { 1.0 } else { 0.0 }))]
         }
-        HingeKind::Gimbal { axes: [a, _, c] } => vec![a.clone(), c.clone()],
-        _ => hinge.kind.axes().to_vec(),
+        kind => match kind.axes() {
+            [first, .., last] => vec![first.clone(), last.clone()],
+            axes => axes.to_vec(),
+        },
     }
 }
 

@@ -45,10 +45,7 @@ pub(super) fn axes_have_a_direction(draft: &Draft) -> Vec<Requirement> {
 /// Requires that successive axes of a universal hinge and of a gimbal are not parallel.
 pub(super) fn successive_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement> {
     let not_parallel = |(hinge, arguments): (&Spanned<HingeKind>, Option<&ArgumentsSyntax>)| {
-        let message = match hinge.value {
-            HingeKind::Universal { .. } => "the two axes of a universal hinge must not be parallel",
-            _ => "successive axes of a gimbal must not be parallel",
-        };
+        let message = "successive axes of a hinge must not be parallel";
         let pair = |(index, [a, b]): (usize, [&[Value; 3]; 2])| {
             let at = argument(hinge, arguments, index + 1);
             let sine = length::sine_margin([&scaled(a), &scaled(b)]);
@@ -58,7 +55,7 @@ pub(super) fn successive_axes_are_not_parallel(draft: &Draft) -> Vec<Requirement
                 Condition::new(sine, Bound::BePositive, at, message),
             ]
         };
-        hinge.value.successive_axes().into_iter().enumerate().map(pair).collect::<Vec<_>>()
+        hinge.value.successive_axes().enumerate().map(pair).collect::<Vec<_>>()
     };
     hinges(draft).flat_map(not_parallel).collect()
 }

@@ -20,6 +20,7 @@ pub use spec::{Coordinate, DofGroup, HingeSpec, Representation, StateView, ViewA
 
 use super::{Attachment, Value};
 use proc_macro2::Ident;
+use std::slice::from_ref;
 
 /// A hinge between two attachments: a joint that moves the outboard frame relative to the inboard
 /// frame.
@@ -193,68 +194,43 @@ impl Passive {
 }
 
 impl HingeKind {
-    /// Returns its axes.
-    pub fn axes(&self) -> &[[Value; 3]] {
+    /// Returns the properties of this kind, its axes, and the pitch of a screw: the only match over all kinds in the model.
+    fn parts(&self) -> (&'static HingeSpec, &[[Value; 3]], Option<&Value>) {
         match self {
-            HingeKind::Pin { axis }
-            | HingeKind::Slider { axis }
-            | HingeKind::Screw { axis, .. }
-            | HingeKind::Cylindrical { axis } => std::slice::from_ref(axis),
-            HingeKind::Universal { axes } => axes,
-            HingeKind::Gimbal { axes } => axes,
-            HingeKind::Weld
-            | HingeKind::Ball
-            | HingeKind::Planar { .. }
-            | HingeKind::Floating
-            | HingeKind::Elastic
-            | HingeKind::PlaneElastic => &[],
+            HingeKind::Weld => (&weld::SPEC, &[], None),
+            HingeKind::Pin { axis } => (&pin::SPEC, from_ref(axis), None),
+            HingeKind::Slider { axis } => (&slider::SPEC, from_ref(axis), None),
+            HingeKind::Screw { axis, pitch } => (&screw::SPEC, from_ref(axis), Some(pitch)),
+            HingeKind::Cylindrical { axis } => (&cylindrical::SPEC, from_ref(axis), None),
+            HingeKind::Universal { axes } => (&universal::SPEC, axes, None),
+            HingeKind::Gimbal { axes } => (&gimbal::SPEC, axes, None),
+            HingeKind::Ball => (&ball::SPEC, &[], None),
+            HingeKind::Planar { .. } => (&planar::SPEC, &[], None),
+            HingeKind::Floating => (&floating::SPEC, &[], None),
+            HingeKind::Elastic => (&elastic::SPEC, &[], None),
+            HingeKind::PlaneElastic => (&plane_elastic::SPEC, &[], None),
         }
     }
 
+    /// Returns its axes. If there are several, the first is fixed on the inboard side and the last on the outboard side.
+    pub fn axes(&self) -> &[[Value; 3]] {
+        self.parts().1
+    }
+
     /// Returns the pairs of successive axes, which must not be parallel.
-    pub fn successive_axes(&self) -> Vec<[&[Value; 3]; 2]> {
-        match self {
-            HingeKind::Universal { axes: [a, b] } => vec![[a, b]],
-            HingeKind::Gimbal { axes: [a, b, c] } => vec![[a, b], [b, c]],
-            _ => Vec::new(),
-        }
+    pub fn successive_axes(&self) -> impl Iterator<Item = [&[Value; 3]; 2]> {
+        self.axes().windows(2).map(|pair| [&pair[0], &pair[1]])
     }
 
     /// Returns all values of its description.
     pub fn values(&self) -> Vec<&Value> {
-        let axes = self.axes().iter().flatten();
-        match self {
-            HingeKind::Screw { pitch, .. } => axes.chain([pitch]).collect(),
-            HingeKind::Weld
-            | HingeKind::Pin { .. }
-            | HingeKind::Slider { .. }
-            | HingeKind::Cylindrical { .. }
-            | HingeKind::Universal { .. }
-            | HingeKind::Gimbal { .. }
-            | HingeKind::Ball
-            | HingeKind::Planar { .. }
-            | HingeKind::Floating
-            | HingeKind::Elastic
-            | HingeKind::PlaneElastic => axes.collect(),
-        }
+        let (_, axes, pitch) = self.parts();
+        axes.iter().flatten().chain(pitch).collect()
     }
 
     /// Returns the coordinates and rates of this kind.
     pub fn spec(&self) -> &'static HingeSpec {
-        match self {
-            HingeKind::Weld => &weld::SPEC,
-            HingeKind::Pin { .. } => &pin::SPEC,
-            HingeKind::Slider { .. } => &slider::SPEC,
-            HingeKind::Screw { .. } => &screw::SPEC,
-            HingeKind::Cylindrical { .. } => &cylindrical::SPEC,
-            HingeKind::Universal { .. } => &universal::SPEC,
-            HingeKind::Gimbal { .. } => &gimbal::SPEC,
-            HingeKind::Ball => &ball::SPEC,
-            HingeKind::Planar { .. } => &planar::SPEC,
-            HingeKind::Floating => &floating::SPEC,
-            HingeKind::Elastic => &elastic::SPEC,
-            HingeKind::PlaneElastic => &plane_elastic::SPEC,
-        }
+        self.parts().0
     }
 
     /// Returns the number of coordinates.

@@ -83,7 +83,7 @@ fn setters_check_the_lengths_of_axes_and_quaternions() {
         asked,
         [
             "once: must leave the length of the axis of hinge `edge` between 1e-15 and 1e15",
-            "once: must not leave the axes of hinge `edge` parallel",
+            "once: must not leave successive axes of hinge `edge` parallel",
             "once: must leave the length of the axis of hinge `swivel` between 1e-15 and 1e15",
             "once: must not leave successive axes of hinge `swivel` parallel",
             "once: must not leave successive axes of hinge `swivel` parallel",
