@@ -95,5 +95,26 @@ fn expressions_from_macros_stay_whole() {
             mass!(2 * $expression)
         };
     }
+    macro_rules! square {
+        ($number:literal) => {
+            mass!($number^2 kg)
+        };
+    }
+    macro_rules! less {
+        ($expression:expr) => {
+            mass!((10 - $expression) kg)
+        };
+    }
+    macro_rules! power {
+        ($power:literal) => {
+            mass!(2^$power kg)
+        };
+    }
     assert_eq!(twice!(1 + 2), 6.0);
+    assert_eq!(
+        [twice!(-1 + 3), less!(-3 - 1)],
+        [4.0, 14.0],
+        "a sign at the beginning stays inside"
+    );
+    assert_eq!([square!(-3), power!(-1)], [9.0, 0.5]);
 }

@@ -1,7 +1,7 @@
 //! A position in the tokens. Unlike `syn`'s parse stream it may be dropped anywhere, so that
 //! parsing can continue after an error.
 
-use proc_macro2::{Delimiter, Ident, Literal, Spacing, Span, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, Span, TokenTree};
 use syn::{Error, Result, buffer};
 
 use super::tree::SpanRange;
@@ -62,21 +62,27 @@ impl<'a> Cursor<'a> {
         Some(ident.span())
     }
 
+    /// Returns the next token if it is a sign. A sign at the beginning of a group without delimiters belongs to this group: an
+    /// expression that `macro_rules!` passes keeps its value in every formula.
+    fn sign(&self) -> Option<(Punct, buffer::Cursor<'a>)> {
+        if self.peek_group(Delimiter::None) { None } else { self.rest.punct() }
+    }
+
     /// Whether this sign is next.
     pub fn peek_punct(&self, sign: char) -> bool {
-        self.rest.punct().is_some_and(|(punct, _)| punct.as_char() == sign)
+        self.sign().is_some_and(|(punct, _)| punct.as_char() == sign)
     }
 
     /// The next token if it is this sign.
     pub fn punct(&mut self, sign: char) -> Option<Span> {
-        let found = self.rest.punct().filter(|(punct, _)| punct.as_char() == sign);
+        let found = self.sign().filter(|(punct, _)| punct.as_char() == sign);
         self.take(found).map(|punct| punct.span())
     }
 
     /// Returns whether `first` and `second` are next, without a space between them: paths are
     /// passed to Rust unchanged, and there a space would separate the two signs.
     pub fn peek_pair(&self, first: char, second: char) -> bool {
-        let Some((sign, rest)) = self.rest.punct() else { return false };
+        let Some((sign, rest)) = self.sign() else { return false };
         let is_first = sign.as_char() == first && sign.spacing() == Spacing::Joint;
         is_first && Cursor { rest, ..*self }.peek_punct(second)
     }

@@ -144,6 +144,12 @@ fn power(input: &mut Cursor) -> Result<i32> {
 
 /// Parses the whole number after `^`.
 pub(super) fn exponent(input: &mut Cursor) -> Result<i32> {
+    // `macro_rules!` passes a negative number in a group without delimiters.
+    if let Some((mut inside, _)) = input.group(Delimiter::None) {
+        inside.check_depth()?;
+        let power = exponent(&mut inside)?;
+        return inside.check_empty("`;`").map(|()| power);
+    }
     let sign = if input.punct('-').is_some() { -1 } else { 1 };
     let literal = input.literal().ok_or_else(|| input.unexpected("a whole number"))?;
     let at = literal.span();

@@ -260,20 +260,36 @@ fn one_call_has_several_chains() {
 #[test]
 fn an_expression_from_a_macro_is_one_factor() {
     use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
-    fn replace(tokens: TokenStream) -> TokenStream {
+    fn replace(tokens: TokenStream, expression: &str) -> TokenStream {
         let tree = |tree| match tree {
             TokenTree::Ident(ident) if ident == "EXPR" => {
-                let sum = "1 kg + 2 kg".parse().expect("tokens");
-                TokenTree::Group(Group::new(Delimiter::None, sum))
+                let tokens = expression.parse().expect("tokens");
+                TokenTree::Group(Group::new(Delimiter::None, tokens))
             }
             TokenTree::Group(group) => {
-                TokenTree::Group(Group::new(group.delimiter(), replace(group.stream())))
+                let stream = replace(group.stream(), expression);
+                TokenTree::Group(Group::new(group.delimiter(), stream))
             }
             other => other,
         };
         tokens.into_iter().map(tree).collect()
     }
-    let source = edited(&[("mass = 2 kg", "mass = 2 * EXPR")]);
-    let chains = super::read(replace(source.parse().expect("tokens"))).expect("good");
-    assert_eq!(chains[0].0.bodies[BodyId(1)].mass.known(), Some(6.0));
+    for (mass, expression, expected) in [
+        ("2 * EXPR", "1 kg + 2 kg", 6.0),
+        ("2 * EXPR kg", "-1.0 + 3.0", 4.0),
+        ("(5 - EXPR) kg", "-3.0 - 1.0", 9.0),
+        ("-EXPR kg", "-5 + 3", 2.0),
+        ("EXPR^2 kg", "-3.0", 9.0),
+        ("(EXPR + EXPR)^2 / EXPR^2 kg", "-3.0 + 1", 4.0),
+        ("EXPR", "- -2 kg", 2.0),
+        ("2^EXPR * 3 kg", "-1", 1.5),
+    ] {
+        let source = edited(&[("mass = 2 kg", &format!("mass = {mass}"))]);
+        let tokens = replace(source.parse().expect("tokens"), expression);
+        let chains = super::read(tokens).expect("good");
+        assert_eq!(chains[0].0.bodies[BodyId(1)].mass.known(), Some(expected), "{mass}");
+    }
+    // A group is an operand: its sign is no operator between the group and what is before it.
+    let source = edited(&[("mass = 2 kg", "mass = 2 EXPR")]);
+    assert!(super::read(replace(source.parse().expect("tokens"), "-1")).is_err());
 }
