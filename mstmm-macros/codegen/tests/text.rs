@@ -83,6 +83,21 @@ fn a_four_bar_in_the_plane() {
 }
 
 #[test]
+fn answers_of_a_cart_with_a_pole() {
+    check(
+        "cart_pole",
+        &[
+            "inverse_dynamics",
+            "mass_matrix",
+            "coriolis_matrix",
+            "regressor",
+            "linearization",
+            "pull",
+        ],
+    );
+}
+
+#[test]
 fn all_functions_are_shown_one_after_the_other() {
     let all = show("four_bar", None).expect("a chain has functions");
     let names: Vec<&str> =
