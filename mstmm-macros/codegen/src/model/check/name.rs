@@ -278,11 +278,18 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
     }
 }
 
-/// Reports names that are keywords of items.
+/// Reports names that are keywords of items. A body without a name has that of its type, `ground` for `Ground`.
 pub(super) fn names_are_not_keywords(draft: &Draft, diagnostics: &mut Diagnostics) {
-    for used in names(draft).iter().filter(|used| !used.made) {
-        if ITEM_WORDS.contains(&used.name.own()) {
-            refuse_word(used.name.own(), &used.name.joined, diagnostics);
+    for used in names(draft).iter().filter(|used| ITEM_WORDS.contains(&used.name.own())) {
+        let (word, name) = (used.name.own(), &used.name.joined);
+        if !used.made {
+            refuse_word(word, name, diagnostics);
+        } else if draft.types.all.iter().all(|body| body.name != word) {
+            // If the type is the keyword, the type is reported.
+            let message = format!(
+                "this body has the name `{word}`, which is a keyword: write a name after the type"
+            );
+            diagnostics.name(name, message);
         }
     }
 }

@@ -120,6 +120,25 @@ fn words_that_items_begin_with_are_no_names() {
 }
 
 #[test]
+fn names_made_from_types_are_no_keywords() {
+    for (of_type, name) in [("Ground", "ground"), ("Body", "body"), ("Param", "param")] {
+        let chain = |named: &str| {
+            format!(
+                "plane chain A {{
+                    body {of_type} {{ mass = 1 kg; com = [0, 0] m; inertia = 1 kg*m^2 about com; }}
+                    ground -> pin j -> {of_type}{named};
+                }}"
+            )
+        };
+        let message = format!(
+            "this body has the name `{name}`, which is a keyword: write a name after the type"
+        );
+        expect_all(&chain(""), &[(of_type, message.as_str())]);
+        assert!(super::read(chain(" b").parse().expect("tokens")).is_ok());
+    }
+}
+
+#[test]
 fn items_of_other_programs_are_known() {
     let expect_item = |from: &str, to: &str, word: &str, meant: &str| {
         let message = format!("unknown item `{word}`; did you mean `{meant}`?");
