@@ -8,7 +8,7 @@ use std::path::Path;
 
 use crate::commands::{Failure, read};
 use crate::messages::{Message, rendered};
-use crate::unclosed::unclosed;
+use crate::unclosed::{has_other_blanks, unclosed};
 
 /// A file with the text of one or more chains, with `mstmm_chain! { … }` around them or without.
 #[derive(Clone, Debug)]
@@ -110,13 +110,16 @@ impl Source {
     }
 
     fn all_tokens(&self) -> Result<TokenStream, Box<Message>> {
+        let found =
+            || unclosed(&self.text).map(|(at, text)| Box::new(Message::at(self, at, &text)));
+        let other_blanks = has_other_blanks(&self.text).then(found).flatten();
+        if let Some(message) = other_blanks {
+            return Err(message);
+        }
         self.text.parse().map_err(|error: LexError| {
-            Box::new(match unclosed(&self.text) {
-                Some((range, message)) => Message::at(self, range, &message),
-                None => {
-                    let text = "expected a name, a number or a sign of the language";
-                    Message::at(self, self.character(error.span().byte_range()), text)
-                }
+            found().unwrap_or_else(|| {
+                let text = "expected a name, a number or a sign of the language";
+                Box::new(Message::at(self, self.character(error.span().byte_range()), text))
             })
         })
     }

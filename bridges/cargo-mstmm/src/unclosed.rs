@@ -108,8 +108,7 @@ fn not_closed(at: usize, left: char) -> (Range<usize>, String) {
 
 /// Returns the message about a character that no token has.
 fn strange(letter: char) -> Option<String> {
-    let blank = letter.is_whitespace() || letter == '\u{feff}';
-    if blank || letter.is_alphabetic() || is_ascii_sign(letter) {
+    if is_blank(letter) || letter.is_alphabetic() || is_ascii_sign(letter) {
         return None;
     }
     let instead = REPLACED.iter().find(|(other, _)| *other == letter);
@@ -118,6 +117,17 @@ fn strange(letter: char) -> Option<String> {
     // Characters that are not visible are written as in Rust.
     let shown = if letter == '\\' { letter.to_string() } else { letter.escape_debug().to_string() };
     Some(format!("`{shown}` (U+{code:04X}) is not a character of the language{instead}"))
+}
+
+/// Returns whether Rust reads a character as a blank. Other blanks, such as one at which no line may break, are errors.
+fn is_blank(letter: char) -> bool {
+    let beyond_ascii = ['\u{85}', '\u{200e}', '\u{200f}', '\u{2028}', '\u{2029}', '\u{feff}'];
+    matches!(letter, ' ' | '\t'..='\r') || beyond_ascii.contains(&letter)
+}
+
+/// Returns whether the tokenizer reads a character of a text as a blank that is none for Rust.
+pub fn has_other_blanks(text: &str) -> bool {
+    text.chars().any(|letter| letter.is_whitespace() && !is_blank(letter))
 }
 
 /// Returns whether an ASCII character can be in a token. An apostrophe can only be in some.

@@ -175,6 +175,12 @@ fn what_is_not_closed_is_told_with_its_place() {
             (2, 10),
             "`\\0` (U+0000) is not a character of the language",
         ),
+        // A blank that is none in Rust.
+        (
+            "chain A {\u{2028} // a\u{a0}b\n mass = 1\u{a0}kg;\n}\n",
+            (2, 10),
+            "`\\u{a0}` (U+00A0) is not a character of the language",
+        ),
         // A letter that no name has.
         (
             "chain A {\n mass = ⓐ kg;\n}\n",
