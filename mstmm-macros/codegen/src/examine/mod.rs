@@ -102,6 +102,8 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         dry_run.refuse_rigid_chain(diagnostics);
     } else if whole && moves_all && !closes_from_start {
         dry_run.warn_of_open_loop(!poses.is_empty(), diagnostics);
+    } else if whole && moves_all {
+        dry_run.warn_of_singular_closure(&poses, diagnostics);
     }
     // A place has one warning: that of its limits is the least serious.
     dry_run.warn_of_limits(diagnostics);
@@ -242,7 +244,7 @@ impl DryRun {
 
     /// Returns the largest rank of the loop constraints in these poses, and the number of
     /// constraints, including those that rotors add.
-    fn closure_rank(&self, poses: &[Configuration]) -> Option<(usize, usize)> {
+    pub(super) fn closure_rank(&self, poses: &[Configuration]) -> Option<(usize, usize)> {
         let ranks = poses.iter().filter_map(|pose| {
             let LoopReaction { pivots, undetermined, .. } =
                 self.solved(&self.values, pose).reaction?;

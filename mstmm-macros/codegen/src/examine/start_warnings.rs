@@ -1,6 +1,6 @@
 //! Warnings of a start that is valid, but probably not what was meant.
 
-use super::dry_run::{DryRun, Number};
+use super::dry_run::{Configuration, DryRun, Number};
 use crate::diag::Diagnostics;
 use crate::equations;
 use crate::model::{Hinge, Limits, Passive, Value};
@@ -11,6 +11,9 @@ const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
 /// The name of the warning of a closed chain that can be closed near its start, but not from it.
 const CLOSES_NEARBY: &str = "CHAIN_NOT_CLOSED_FROM_ITS_START";
 
+/// The name of the warning of a closed chain whose loop constraints are singular at its start.
+const SINGULAR_CLOSURE: &str = "SINGULAR_LOOP_CONSTRAINTS_AT_ITS_START";
+
 /// The name of the warning of an open chain whose accelerations are `Singular` at its start.
 const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
 
@@ -19,6 +22,9 @@ const BEYOND_LIMITS: &str = "START_BEYOND_LIMITS";
 
 /// The distance in m or rad from which a start is beyond its limits. Rotation vectors have rounding errors.
 const DISTANCE: f64 = 1e-9;
+
+/// The largest difference of the coordinates of equal closed poses. In a singular pose, a residual of 1e-9 leaves its root.
+const EQUAL: f64 = 1e-3;
 
 impl DryRun {
     /// Warns of hinges that start beyond their limits. Prescribed motions have no start.
@@ -89,5 +95,27 @@ impl DryRun {
             )
         };
         diagnostics.warn(closing.name.span(), rule, message);
+    }
+
+    /// Warns of a closed chain that is closed at its start, but with fewer independent loop constraints than in poses next to
+    /// it. `poses` are the closed poses, the first one from the start.
+    pub fn warn_of_singular_closure(&self, poses: &[Configuration], diagnostics: &mut Diagnostics) {
+        let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
+        let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
+        let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
+        let [start, others @ ..] = poses else { return };
+        let differs = |a: &Number, b: &Number| (a.value() - b.value()).abs() > EQUAL;
+        let is_other =
+            |pose: &Configuration| pose.q.iter().zip(&start.q).any(|(a, b)| differs(a, b));
+        let message = if others.len() > 1 && !others.iter().any(is_other) {
+            "this closed chain has no other closed pose near its start, and accelerations fail or have no meaning there: its links \
+             are in line and cannot move; check the lengths of the bodies and the positions of the ends"
+        } else if self.closure_rank(&poses[..1]) < self.closure_rank(poses) {
+            "the loop constraints of this chain are singular at its start, and accelerations fail or have no meaning there: \
+             write a `start` of the hinges with the links bent"
+        } else {
+            return;
+        };
+        diagnostics.warn(closing.name.span(), SINGULAR_CLOSURE, message);
     }
 }

@@ -75,6 +75,39 @@ fn a_closed_chain_is_closed_from_its_start_itself() {
     assert!(warnings.len() == 1 && super::says(&warnings[0].1, message), "{warnings:?}");
 }
 
+#[test]
+fn a_closed_chain_has_regular_constraints_at_its_start() {
+    let bar = |length: f64, starts: &str| {
+        format!(
+            "chain A {{ {ROD} ground -> pin(z) a -> Rod one -> pin(z) b -> Rod two -> pin(z) c -> Rod three \
+             -> pin(z) d -> ground at [{length}, 0, 0]; {starts} }}"
+        )
+    };
+    let message_of = |text: &str| match &warnings_in(text)[..] {
+        [(_, message)] => message.clone(),
+        others => panic!("{others:?}"),
+    };
+    let taut = "this closed chain has no other closed pose near its start, and accelerations fail or have no meaning there: \
+                its links are in line and cannot move; check the lengths of the bodies and the positions of the ends";
+    assert_eq!(message_of(&bar(3.0, "")), taut);
+    // Folded flat, the links of a parallelogram are in line and can leave the line.
+    let folded = "the loop constraints of this chain are singular at its start, and accelerations fail or have no meaning \
+                  there: write a `start` of the hinges with the links bent";
+    let flat = "hinge b { start = 180 deg; } hinge c { start = -180 deg; }";
+    assert_eq!(message_of(&bar(1.0, flat)), folded);
+    expect_chain(
+        &bar(
+            1.0,
+            "hinge a { start = 10 deg; } hinge b { start = 170 deg; } hinge c { start = -170 deg; }",
+        ),
+        &[],
+    );
+    let long = format!(
+        "chain A {{ {ROD} ground -> repeat 5 {{ pin(z) a -> Rod r }} -> pin(z) b -> ground at [5, 0, 0]; }}"
+    );
+    assert_eq!(message_of(&long), taut);
+}
+
 /// At a right angle of the middle axis the axes of a gimbal are in one plane. A rod without inertia about its axis turns about
 /// it only where it hangs down.
 #[test]
