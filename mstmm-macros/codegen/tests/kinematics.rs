@@ -8,6 +8,8 @@ mod points;
 #[allow(dead_code)]
 #[path = "answers_random/samples.rs"]
 mod samples;
+#[path = "kinematics/virtual_work.rs"]
+mod virtual_work;
 
 use common::interpreter::run;
 use common::numbers;
@@ -52,26 +54,48 @@ fn parameters() {
     check(Kind::Lifted, 3000..3030);
 }
 
+/// The results of the function for kinematics.
+struct Moving<'a> {
+    sample: &'a Sample,
+    motions: Vec<f64>,
+    columns: Vec<f64>,
+    layout: Layout,
+    paths: RatePaths,
+}
+
+impl<'a> Moving<'a> {
+    /// Calls the function, with other rates than those of the state if they are given.
+    fn new(sample: &'a Sample, rates: Option<&[f64]>) -> Self {
+        let mut given = sample.given::<f64>();
+        if let Some(rates) = rates {
+            given.arrays.arguments.insert(Argument::Rates, rates.to_vec());
+        }
+        let found = sample.all(&given, Answer::Kinematics, &[]);
+        let layout = Layout::of(&sample.chain);
+        let paths = RatePaths::of(&sample.chain, &layout);
+        let [motions, columns] = [outputs::MOTIONS, outputs::COLUMNS].map(|id| found.result(id));
+        Self { sample, motions, columns, layout, paths }
+    }
+
+    /// Returns the kinematics of a point of a body, given its place in the body frame; without a place, of its input.
+    fn see(&self, at: &BodyAt, place: Vec<f64>, asked: &Asked) -> Seen {
+        let run = self.paths.of_body(&self.layout, at.body);
+        let stored = (&self.motions[..], &self.columns[..]);
+        see(self.sample.chain.dimension, stored, (&self.paths, run), (at, place), asked)
+    }
+}
+
 /// Returns the kinematics of points of all bodies, their places in the body frame, and what is asked.
 fn seen(sample: &Sample, rates: Option<&[f64]>, at_output: bool, asked: &Asked) -> Vec<Seen> {
-    let chain = &sample.chain;
-    let mut given = sample.given::<f64>();
-    if let Some(rates) = rates {
-        given.arrays.arguments.insert(Argument::Rates, rates.to_vec());
-    }
-    let found = sample.all(&given, Answer::Kinematics, &[]);
-    let layout = Layout::of(chain);
-    let paths = RatePaths::of(chain, &layout);
+    let (chain, moving) = (&sample.chain, Moving::new(sample, rates));
     let values = numbers::<f64>(chain);
-    let stored = (&found.result(outputs::MOTIONS)[..], &found.result(outputs::COLUMNS)[..]);
     let of_body = |at: &BodyAt| {
         let place = match at_output {
             true => chain.frame_values(&chain.bodies[at.body], BodyFrame::Output).position,
             false => Vec::new(),
         };
         let place = place.into_iter().map(|value| values.scalar(value).value()).collect();
-        let run = paths.of_body(&layout, at.body);
-        see(chain.dimension, stored, (&paths, run), (at, place), asked)
+        moving.see(at, place, asked)
     };
     bodies(chain).iter().map(of_body).collect()
 }
