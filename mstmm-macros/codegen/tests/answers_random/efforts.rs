@@ -1,8 +1,8 @@
 //! Inverse dynamics and its parts, and the products with the mass matrix.
 
-use crate::samples::{Kind, Sample, dot, largest, samples, times};
+use crate::samples::{Kind, Sample, changed_samples, dot, largest, samples, times};
 use mstmm_codegen::compile::outputs;
-use mstmm_codegen::model::Answer;
+use mstmm_codegen::model::{Answer, Chain, Drive, Effort};
 use mstmm_codegen::program::{Given::Accelerations, Given::Vector, OutputId};
 
 /// Efforts are sums of at most some hundred terms, relative to the largest one.
@@ -122,4 +122,37 @@ fn undone(sample: &Sample) {
         motors.iter().zip(sample.ask(&given, BIAS, &[])).map(|(t, b)| t - b).collect();
     let back = sample.ask(&given, INVERSE_MASS, &[(Vector, &difference)]);
     sample.check("M⁻¹ (τ − bias)", (&back, &accelerations), largest(&accelerations), SOLVED);
+}
+
+/// Returns the same chain with an input for the effort of every rate, floating bases included.
+fn driven(mut chain: Chain) -> Chain {
+    for hinge in chain.hinges.iter_mut().filter(|hinge| !hinge.is_prescribed()) {
+        hinge.drive = Drive::Efforts(vec![Effort::Input; hinge.kind.dof_count()]);
+    }
+    chain
+}
+
+/// Forward dynamics undo inverse dynamics: the efforts for any accelerations cause these accelerations.
+#[test]
+fn efforts_of_accelerations_cause_them() {
+    let kinds = [
+        (Kind::OpenRoute, 500..520),
+        (Kind::OpenTree, 1000..1010),
+        (Kind::Described, 2000..2006),
+        (Kind::Bare, 5000..5008),
+    ];
+    for (kind, seeds) in kinds {
+        changed_samples(kind, seeds, "inverse_dynamics", driven)
+            .for_each(|sample| returned(&sample));
+    }
+}
+
+/// The error of the accelerations is the error of the efforts multiplied by `M⁻¹`, whose entries are at most some hundred.
+/// So the tolerance is relative to the largest effort.
+fn returned(sample: &Sample) {
+    let (mut given, wanted) = (sample.given::<f64>(), sample.random_rates(5));
+    let efforts = sample.ask(&given, INVERSE, &[(Accelerations, &wanted)]);
+    given.drive(&sample.chain, &efforts);
+    let found = sample.ask(&given, FORWARD, &[]);
+    sample.check("FD(ID(a))", (&found, &wanted), largest(&efforts), SOLVED);
 }

@@ -57,14 +57,24 @@ pub fn samples(
     seeds: std::ops::Range<u64>,
     answers: &str,
 ) -> impl Iterator<Item = Sample> {
+    changed_samples(kind, seeds, answers, |chain| chain)
+}
+
+/// Returns the samples of some seeds with answers after a change of their chains that keeps bodies, hinges and coordinates.
+pub fn changed_samples(
+    kind: Kind,
+    seeds: std::ops::Range<u64>,
+    answers: &str,
+    change: fn(Chain) -> Chain,
+) -> impl Iterator<Item = Sample> {
     let first = first_seed();
     let (seeds, answers) = (first + seeds.start..first + seeds.end, answers.to_owned());
     println!("{kind:?}, seeds {seeds:?}");
-    seeds.filter_map(move |seed| Sample::new(kind, seed, &answers))
+    seeds.filter_map(move |seed| Sample::new(kind, seed, &answers, change))
 }
 
 impl Sample {
-    fn new(kind: Kind, seed: u64, answers: &str) -> Option<Sample> {
+    fn new(kind: Kind, seed: u64, answers: &str, change: fn(Chain) -> Chain) -> Option<Sample> {
         let mut random = Random::new(seed);
         let (text, truth) = drawn(kind, &mut random, &format!("Random{seed}"));
         let (state, drives) = random_motion(&mut random, &truth);
@@ -81,7 +91,7 @@ impl Sample {
         let (chain, findings) = read.remove(0);
         let (chain, findings) = match kind {
             Kind::Lifted => (lifted(chain), Findings::default()),
-            _ => (chain, findings),
+            _ => (change(chain), findings),
         };
         let compiled = compile(&chain, &findings, &Layout::of(&chain));
         Some(Sample { seed, text, chain, compiled, truth, state, drives })

@@ -101,7 +101,9 @@ fn input_values(
             let (name, hinge) = hinge(id);
             let Drive::Efforts(kinds) = &hinge.drive else { return Vec::new() };
             let of_hinge = |name: &String| {
-                let first = truth.first_rate(name);
+                // The rates of a floating base come first. It is not among the hinges of the reference.
+                let is_hinge = truth.hinges().any(|hinge| hinge.name == *name);
+                let first = if is_hinge { truth.first_rate(name) } else { 0 };
                 let given = kinds.iter().zip(&drives.efforts[first..]);
                 given.filter(|(kind, _)| **kind == Effort::Input).map(|(_, &effort)| effort)
             };
