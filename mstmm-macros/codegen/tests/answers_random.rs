@@ -8,6 +8,7 @@ mod answers_random {
     pub mod differences;
     pub mod efforts;
     pub mod gradients;
+    pub mod homogeneity;
     pub mod laws;
     pub mod matrices;
     pub mod products;
