@@ -3,8 +3,9 @@
 use crate::products::{push, random_direction};
 use crate::samples::{Kind, Sample, dot, largest, samples};
 use mstmm_codegen::compile::outputs;
-use mstmm_codegen::model::{Answer, DynamicParameter, InertialParameter};
+use mstmm_codegen::model::{Answer, DynamicParameter, InertialParameter, PassiveElement};
 use mstmm_codegen::program::Given as Vector;
+use mstmm_reference::{Element, Group, Hinge};
 
 /// Sums of at most some hundred terms, relative to the sum of their magnitudes.
 const SUMS: f64 = 1e-12;
@@ -81,6 +82,73 @@ fn columns_of_bodies(sample: &Sample) {
     }
 }
 
+/// The column of each passive element of a hinge is the difference between the efforts of the reference with an element of unit
+/// size and without the element. The three rotations of a quaternion share one element in the reference. The regressor has a
+/// column for the effort along each of them.
+///
+/// Counts the columns that are not zero.
+fn columns_of_passive_elements(sample: &Sample, tried: &mut [usize; 4]) {
+    let accelerations = sample.random_rates(25);
+    let vectors: [(Vector, &[f64]); 1] = [(Vector::Accelerations, &accelerations)];
+    let entries =
+        sample.ask(&sample.given::<f64>(), (Answer::Regressor, outputs::REGRESSOR), &vectors);
+    let parameters = sample.chain.dynamic_parameters();
+    for (column, parameter) in entries.chunks(sample.rates().max(1)).zip(&parameters) {
+        let DynamicParameter::Passive(hinge, k, element) = *parameter else { continue };
+        let name = sample.chain.hinges[hinge].name.to_string();
+        let [one, none] = [1.0, 0.0].map(|size| {
+            let mut truth = sample.truth.clone();
+            set_element(hinge_mut(&mut truth, &name), k, element, size);
+            truth.answers(&sample.state, &sample.drives).inverse_dynamics(&accelerations)
+        });
+        let mut expected: Vec<f64> = one.iter().zip(&none).map(|(a, b)| a - b).collect();
+        let own = sample.truth.first_rate(&name);
+        if is_shared(hinge_mut(&mut sample.truth.clone(), &name), k) {
+            (0..expected.len()).filter(|&rate| rate != own + k).for_each(|at| expected[at] = 0.0);
+        }
+        let name = sample.chain.name_of_dynamic_parameter(*parameter);
+        sample.check(&name, (column, &expected), largest(&none), SUMS);
+        tried[element as usize] += usize::from(expected.iter().any(|entry| entry.abs() > 1e-3));
+    }
+}
+
+fn hinge_mut<'a>(chain: &'a mut mstmm_reference::Chain, name: &str) -> &'a mut Hinge {
+    let later = chain.later_routes.iter_mut().flat_map(|route| &mut route.elements);
+    let mut hinges = chain.elements.iter_mut().chain(later).filter_map(|element| match element {
+        Element::Hinge(hinge) => Some(hinge),
+        Element::Body(_) => None,
+    });
+    hinges.find(|hinge| hinge.name == name).expect("a hinge of this name")
+}
+
+/// Returns whether a strain is a rotation of a quaternion.
+fn is_shared(hinge: &Hinge, k: usize) -> bool {
+    hinge.kind.has_quaternion() && hinge.kind.turning().contains(&k)
+}
+
+/// Sets the size of a passive element along a strain.
+fn set_element(hinge: &mut Hinge, k: usize, element: PassiveElement, size: f64) {
+    let (shared, turning) = (is_shared(hinge, k), hinge.kind.turning());
+    let range = if turning.contains(&k) { turning.clone() } else { hinge.kind.linear() };
+    let group: &mut Group =
+        if turning.contains(&k) { &mut hinge.turning } else { &mut hinge.linear };
+    // The list has one entry for all strains of the group, or one for each.
+    let list = match element {
+        PassiveElement::Friction => &mut group.friction,
+        PassiveElement::Damping => &mut group.damping,
+        PassiveElement::Armature => &mut group.armature,
+        PassiveElement::Stiffness => &mut group.stiffness,
+    };
+    match list[..] {
+        [_] if shared => list[0] = size,
+        [value] => *list = vec![value; range.len()],
+        _ => {}
+    }
+    if !shared {
+        list[k - range.start] = size;
+    }
+}
+
 /// The product of the regressor with the chain's own parameters, by the matrix and without it, is inverse dynamics less the
 /// efforts of loads, springs between bodies and stops, which do not depend on the parameters: the same for other accelerations.
 fn product_of_regressor(sample: &Sample) {
@@ -110,12 +178,16 @@ fn product_of_regressor(sample: &Sample) {
 #[test]
 fn regressors() {
     let kinds = [(Kind::Route, 0..40), (Kind::Tree, 1000..1030), (Kind::Lifted, 3000..3010)];
+    let mut tried = [0; 4];
     for (kind, seeds) in kinds {
         for sample in samples(kind, seeds, "[inverse_dynamics, regressor]") {
             columns_of_bodies(&sample);
+            columns_of_passive_elements(&sample, &mut tried);
             product_of_regressor(&sample);
         }
     }
+    println!("friction, damping, armature, stiffness: {tried:?} columns");
+    assert!(tried.iter().all(|count| *count > 20), "{tried:?}");
     samples(Kind::Described, 2000..2020, "[inverse_dynamics, regressor]")
         .for_each(|sample| product_of_regressor(&sample));
 }
