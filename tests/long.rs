@@ -240,5 +240,6 @@ fn a_rope_keeps_its_energy() {
 
 mod long {
     mod counted;
+    mod products;
     mod trees;
 }
