@@ -240,6 +240,7 @@ fn a_rope_keeps_its_energy() {
 
 mod long {
     mod counted;
+    mod linearization;
     mod products;
     mod trees;
 }
