@@ -1,39 +1,18 @@
 //! The results of springs in a workspace.
 
-use super::arrays::usize_literal;
+use super::EmitContext;
 use super::names::helper;
-use super::{EmitContext, initial_values};
-use crate::compile::{layouts, outputs};
+use crate::compile::layouts;
 use crate::model::Spring;
 use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The parts of a workspace for the springs; empty if the solution does not compute them.
-#[derive(Default)]
-pub struct SpringItems {
-    /// The field.
-    pub field: TokenStream,
-    /// Its initial value.
-    pub zero: TokenStream,
-    /// A method for each spring.
-    pub methods: TokenStream,
-}
-
-/// Returns the parts of a workspace for the springs.
-pub fn items(cx: &EmitContext) -> SpringItems {
-    let Some(length) = initial_values::length(cx, outputs::SPRINGS) else {
-        return SpringItems::default();
-    };
-    let (length, initial) = (usize_literal(length), initial_values::array(cx, outputs::SPRINGS));
+/// Returns a method for the results of each spring.
+pub fn methods(cx: &EmitContext) -> TokenStream {
     let layout = layouts::springs(cx.chain);
-    let methods = cx.chain.springs.iter().enumerate();
-    let methods = methods.map(|(index, spring)| method(cx, &layout, index, spring));
-    SpringItems {
-        field: quote!(springs: [T; #length],),
-        zero: quote!(springs: #initial,),
-        methods: quote!(#(#methods)*),
-    }
+    let springs = cx.chain.springs.iter().enumerate();
+    springs.map(|(index, spring)| method(cx, &layout, index, spring)).collect()
 }
 
 /// Returns the method for the results of a spring.

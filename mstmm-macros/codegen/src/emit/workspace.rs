@@ -12,70 +12,71 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::ops::Range;
 
-/// Returns `struct ChainWorkspace<T>` and its constructor.
+/// Returns `struct ChainWorkspace<T>`, its implementations and its constructor.
 pub fn emit(cx: &EmitContext) -> TokenStream {
+    let optional = [all_rates(cx), energies(cx), closure(cx), springs(cx)];
+    let (declaration, accessors) = (declaration(cx, &optional), accessors(cx, &optional));
+    let (debug, constructor) = (debug(cx, &optional), constructor(cx, &optional));
+    let body_types = body::types(cx);
+    quote! {
+        #declaration
+        #accessors
+        #body_types
+        #debug
+        #constructor
+    }
+}
+
+/// The parts of a workspace for a result that only some chains have; empty for all others.
+#[derive(Default)]
+struct OptionalItems {
+    fields: TokenStream,
+    /// The initial values of the fields.
+    zero: TokenStream,
+    methods: TokenStream,
+    /// The calls that show the fields in the debug output.
+    shown: TokenStream,
+}
+
+/// The accelerations of all rates, the energies, the loop closure and the springs.
+type OptionalResults = [OptionalItems; 4];
+
+/// Returns the struct.
+fn declaration(cx: &EmitContext, optional: &OptionalResults) -> TokenStream {
     let mstmm = &cx.mstmm;
-    let (name, chain) = (&cx.names.workspace, &cx.names.chain);
-    let visibility = &cx.passthrough.visibility;
-    let doc = format!(" The results of [`{chain}::solve_into`]: {}.", docs::results(cx));
-    let dof_count = usize_literal(cx.rates().total);
-    let point_count = usize_literal(cx.points().total);
-    let number_count = usize_literal(cx.numbers_of_points().total);
+    let (name, visibility) = (&cx.names.workspace, &cx.passthrough.visibility);
+    let doc = format!(" The results of [`{}::solve_into`]: {}.", cx.names.chain, docs::results(cx));
+    let [dof_count, rates, number_count] =
+        [cx.rates().total, cx.all_rates().total, cx.numbers_of_points().total].map(usize_literal);
     let translations = usize_literal(cx.chain.dimension.translations().len());
-    let point_access = point_access::emit(cx);
-    let (all_points, order) = (point_access::all(cx), orders::of_points(cx));
-    let [initial_numbers, initial_base_acceleration] =
-        [outputs::POINT_NUMBERS, outputs::BASE_ACCELERATION]
-            .map(|id| initial_values::array(cx, id));
-    let rates = usize_literal(cx.all_rates().total);
-    let point = point_type(cx);
-    let if_prescribed = |tokens: TokenStream| cx.chain.has_prescribed_hinges().then_some(tokens);
-    let all_rates_field =
-        if_prescribed(quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,));
-    let all_rates_zero =
-        if_prescribed(quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),));
-    let all_rates_shown =
-        if_prescribed(quote!(.field("rate_accelerations", &self.rate_accelerations)));
-    let EnergyItems {
-        fields: energy_fields,
-        zero: energies_zero,
-        methods: energy_methods,
-        shown: energies_shown,
-    } = energies(cx);
-    let closure = closure(cx);
-    let ClosureItems {
-        field: closure_field,
-        zero: closure_zero,
-        method: closure_method,
-        shown: closure_shown,
-    } = closure;
-    let spring::SpringItems { field: springs_field, zero: springs_zero, methods: springs } =
-        spring::items(cx);
-    let (text, body_types) = (name.to_string(), body::types(cx));
-    let elements = cx.chain.elements.iter().enumerate().map(|(number, element)| match *element {
-        Element::Body(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_body(index).is_none() => self::body(cx, index, number),
-            count => indexed_access::body(cx, (index, number), count),
-        },
-        Element::Hinge(index) => match cx.chain.repetitions(*element) {
-            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, number),
-            count => indexed_access::hinge(cx, (index, number), count),
-        },
-    });
+    let [all_rates, energies, closure, springs] = optional.each_ref().map(|items| &items.fields);
     quote! {
         #[doc = #doc]
         #[derive(Clone, PartialEq)]
         #[allow(dead_code, non_snake_case)]
         #visibility struct #name<T> {
             accelerations: #mstmm::nalgebra::SVector<T, #dof_count>,
-            #all_rates_field
+            #all_rates
             efforts: #mstmm::nalgebra::SVector<T, #rates>,
-            #energy_fields
-            #closure_field
+            #energies
+            #closure
             numbers: [T; #number_count],
             base_acceleration: [T; #translations],
-            #springs_field
+            #springs
         }
+    }
+}
+
+/// Returns the methods that read the results.
+fn accessors(cx: &EmitContext, optional: &OptionalResults) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, visibility) = (&cx.names.workspace, &cx.passthrough.visibility);
+    let [dof_count, point_count] = [cx.rates().total, cx.points().total].map(usize_literal);
+    let (order, point, all_points) = (orders::of_points(cx), point_type(cx), point_access::all(cx));
+    let point_access = point_access::emit(cx);
+    let [all_rates, energies, closure, springs] = optional.each_ref().map(|items| &items.methods);
+    let elements = elements(cx);
+    quote! {
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
             /// Returns the accelerations `v̇` of all hinges, in the order of `v` of the state, in rad/s² and m/s².
@@ -84,7 +85,9 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 &self.accelerations
             }
 
-            #energy_methods
+            #all_rates
+
+            #energies
 
             #(#[doc = #order])*
             #[inline]
@@ -94,25 +97,63 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
 
             #point_access
 
-            #closure_method
+            #closure
 
-            #(#elements)*
+            #elements
 
             #springs
         }
-        #body_types
+    }
+}
+
+/// Returns the methods for the results at bodies and hinges.
+fn elements(cx: &EmitContext) -> TokenStream {
+    let elements = cx.chain.elements.iter().enumerate();
+    let methods = elements.map(|(number, element)| match *element {
+        Element::Body(index) => match cx.chain.repetitions(*element) {
+            _ if cx.chain.repeat_of_body(index).is_none() => body(cx, index, number),
+            count => indexed_access::body(cx, (index, number), count),
+        },
+        Element::Hinge(index) => match cx.chain.repetitions(*element) {
+            _ if cx.chain.repeat_of_hinge(index).is_none() => hinge(cx, index, number),
+            count => indexed_access::hinge(cx, (index, number), count),
+        },
+    });
+    methods.collect()
+}
+
+/// Returns the implementation of `Debug`.
+fn debug(cx: &EmitContext, optional: &OptionalResults) -> TokenStream {
+    let (mstmm, name) = (&cx.mstmm, &cx.names.workspace);
+    let text = name.to_string();
+    let [all_rates, energies, closure, springs] = optional.each_ref().map(|items| &items.shown);
+    quote! {
         impl<T: #mstmm::Scalar> ::core::fmt::Debug for #name<T> {
             fn fmt(&self, to_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 to_.debug_struct(#text)
                     .field("accelerations", &self.accelerations)
-                    #all_rates_shown
+                    #all_rates
                     .field("efforts", &self.efforts)
-                    #energies_shown
-                    #closure_shown
+                    #energies
+                    #closure
+                    #springs
                     .field("points", &self.points())
                     .finish()
             }
         }
+    }
+}
+
+/// Returns the chain's method for an empty workspace.
+fn constructor(cx: &EmitContext, optional: &OptionalResults) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let (name, chain) = (&cx.names.workspace, &cx.names.chain);
+    let visibility = &cx.passthrough.visibility;
+    let [dof_count, rates] = [cx.rates().total, cx.all_rates().total].map(usize_literal);
+    let [numbers, base_acceleration] = [outputs::POINT_NUMBERS, outputs::BASE_ACCELERATION]
+        .map(|id| initial_values::array(cx, id));
+    let [all_rates, energies, closure, springs] = optional.each_ref().map(|items| &items.zero);
+    quote! {
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #chain<T> {
             /// Returns an empty workspace for [`solve_into`](Self::solve_into). Its contents are unspecified until then.
@@ -122,13 +163,13 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
                 let zero_ = T::constant(0.0);
                 #name {
                     accelerations: #mstmm::generated::vector([zero_; #dof_count]),
-                    #all_rates_zero
+                    #all_rates
                     efforts: #mstmm::generated::vector([zero_; #rates]),
-                    #energies_zero
-                    #closure_zero
-                    numbers: #initial_numbers,
-                    base_acceleration: #initial_base_acceleration,
-                    #springs_zero
+                    #energies
+                    #closure
+                    numbers: #numbers,
+                    base_acceleration: #base_acceleration,
+                    #springs
                 }
             }
         }
@@ -143,23 +184,29 @@ impl EmitContext<'_> {
     }
 }
 
-/// The parts of a workspace for the energies.
-#[derive(Default)]
-struct EnergyItems {
-    fields: TokenStream,
-    zero: TokenStream,
-    methods: TokenStream,
-    shown: TokenStream,
+/// Returns the parts for the accelerations of all rates, which are separate only if some are prescribed.
+fn all_rates(cx: &EmitContext) -> OptionalItems {
+    if !cx.chain.has_prescribed_hinges() {
+        return OptionalItems::default();
+    }
+    let (mstmm, rates) = (&cx.mstmm, usize_literal(cx.all_rates().total));
+    OptionalItems {
+        fields: quote!(rate_accelerations: #mstmm::nalgebra::SVector<T, #rates>,),
+        zero: quote!(rate_accelerations: #mstmm::generated::vector([zero_; #rates]),),
+        methods: TokenStream::new(),
+        shown: quote!(.field("rate_accelerations", &self.rate_accelerations)),
+    }
 }
 
-fn energies(cx: &EmitContext) -> EnergyItems {
+/// Returns the parts for the energies.
+fn energies(cx: &EmitContext) -> OptionalItems {
     if !cx.chain.results.energies {
-        return EnergyItems::default();
+        return OptionalItems::default();
     }
     let visibility = &cx.passthrough.visibility;
     let [kinetic, potential] =
         [0, 1].map(|entry| initial_values::entry(cx, outputs::ENERGIES, entry));
-    EnergyItems {
+    OptionalItems {
         fields: quote! {
             kinetic_energy: T,
             potential_energy: T,
@@ -190,20 +237,12 @@ fn energies(cx: &EmitContext) -> EnergyItems {
     }
 }
 
-/// The parts of a workspace for the loop closure of a closed chain.
-struct ClosureItems {
-    field: TokenStream,
-    zero: TokenStream,
-    method: TokenStream,
-    shown: TokenStream,
-}
-
-fn closure(cx: &EmitContext) -> ClosureItems {
+/// Returns the parts for the loop closure of a closed chain.
+fn closure(cx: &EmitContext) -> OptionalItems {
     let mstmm = &cx.mstmm;
     let Some(held) = initial_values::length(cx, outputs::UNDETERMINED).map(|count| count / 6)
     else {
-        let [field, zero, method, shown] = [(); 4].map(|()| TokenStream::new());
-        return ClosureItems { field, zero, method, shown };
+        return OptionalItems::default();
     };
     let closing = cx.layout.loop_hinges.first();
     let closing = closing.unwrap_or_else(|| bug!("a chain without a closing hinge has reactions"));
@@ -212,11 +251,11 @@ fn closure(cx: &EmitContext) -> ClosureItems {
         cx.chain.hinges[*closing].path
     );
     let (held, visibility) = (Literal::usize_unsuffixed(held), &cx.passthrough.visibility);
-    ClosureItems {
-        field: quote!(closure: #mstmm::LoopClosure<T, #held>,),
+    OptionalItems {
+        fields: quote!(closure: #mstmm::LoopClosure<T, #held>,),
         zero: quote!(closure: ::core::default::Default::default(),),
         shown: quote!(.field("closure", &self.closure)),
-        method: quote! {
+        methods: quote! {
             #[doc = #doc]
             ///
             /// The motion does not determine the reactions along them; their wrenches are in the inboard frame.
@@ -225,6 +264,20 @@ fn closure(cx: &EmitContext) -> ClosureItems {
                 &self.closure
             }
         },
+    }
+}
+
+/// Returns the parts for the springs, if the solution computes them.
+fn springs(cx: &EmitContext) -> OptionalItems {
+    let Some(length) = initial_values::length(cx, outputs::SPRINGS) else {
+        return OptionalItems::default();
+    };
+    let (length, initial) = (usize_literal(length), initial_values::array(cx, outputs::SPRINGS));
+    OptionalItems {
+        fields: quote!(springs: [T; #length],),
+        zero: quote!(springs: #initial,),
+        methods: spring::methods(cx),
+        shown: TokenStream::new(),
     }
 }
 
