@@ -7,7 +7,7 @@ use super::docs;
 use super::sealed;
 use crate::compile::layouts;
 use crate::model::{Bound, Parameter};
-use crate::program::ArrayLayout;
+use crate::program::{ArrayLayout, Segment};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -79,50 +79,13 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     let set = format_ident!("set_{name}", span = name.span());
     let text = name.to_string();
     let doc = format!(" Sets {}", docs::parameter(parameter).trim_start());
-    let rules = checked(cx).segments.into_iter().map(|segment| {
-        let rules = cx.compiled.checks[segment.first..segment.first + segment.count].iter();
-        let rules = rules.map(|check| {
-            let (positive, reason) = (check.must == Bound::BePositive, &check.reason);
-            quote!((#positive, #reason))
-        });
-        if segment.repetitions == 1
-            && segment.offset == 0
-            && segment.count == cx.compiled.checks.len()
-        {
-            return quote!(#mstmm::generated::check_rules(#text, &checks_, &[#(#rules),*])?;);
-        }
-        let slices = cx.slices(&quote!(checks_), &segment);
-        quote! {
-            for numbers_ in #slices {
-                #mstmm::generated::check_rules(#text, numbers_, &[#(#rules),*])?;
-            }
-        }
-    });
+    let NewValue { argument, doc: doc_of_value, change, values } = NewValue::of(parameter);
+    let rules = rules(cx, &text);
     let derived = sealed::arrays(cx, &quote!(chain_));
-    let (arguments, change, values) = match parameter.repetitions {
-        None => (quote!(value_: T), quote!(parameters_.#name = value_;), quote!(&[value_])),
-        Some(_) => (
-            quote!(mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T),
-            quote! {
-                for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.#name) {
-                    *place_ = value_(index_);
-                }
-            },
-            quote!(&parameters_.#name),
-        ),
-    };
-    let each = parameter.repetitions.map(|times| {
-        let doc =
-            format!(" `value` returns the number of each of the {times} repetitions, by index.");
-        quote! {
-            ///
-            #[doc = #doc]
-        }
-    });
     let id = cx.chain.parameters.position(|other| other.name == *name);
     let is_used = id.is_some_and(|id| cx.chain.closure_uses(id));
     let chain = closure::with_rank(cx, is_used, quote!(chain_));
-    let cost = (is_used && closure::directions(cx).is_some()).then(|| {
+    let doc_of_rank = (is_used && closure::directions(cx).is_some()).then(|| {
         quote! {
             ///
             /// It computes the rank of the loop constraints again, in up to four poses assembled around
@@ -131,8 +94,8 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
     });
     quote! {
         #[doc = #doc]
-        #each
-        #cost
+        #doc_of_value
+        #doc_of_rank
         ///
         /// # Errors
         ///
@@ -144,17 +107,84 @@ pub fn setter(cx: &EmitContext, parameter: &Parameter) -> TokenStream {
         /// and the old number is kept. Whether moments and products of inertia fit together is not tested, because
         /// parameters are set one by one.
         #[allow(unused_variables, clippy::all)]
-        #visibility fn #set(&mut self, #arguments) -> ::core::result::Result<(), #mstmm::Error> {
+        #visibility fn #set(&mut self, #argument) -> ::core::result::Result<(), #mstmm::Error> {
             let mut parameters_ = *self.parameters();
             #change
             let values_ = #values;
             let sealed_ = #mstmm::generated::Sealed::new(parameters_);
             let (chain_, checks_) = Self::derive(sealed_);
             #mstmm::generated::check_parameter(#text, values_)?;
-            #(#rules)*
+            #rules
             #mstmm::generated::check_derived(#text, &[#(&#derived),*])?;
             *self = #chain;
             ::core::result::Result::Ok(())
         }
     }
+}
+
+/// The parts of a setter that differ between one value and a value for each repetition.
+struct NewValue {
+    /// The argument `value_`.
+    argument: TokenStream,
+    /// The lines of docs on the argument.
+    doc: TokenStream,
+    /// The statements that change the parameter.
+    change: TokenStream,
+    /// The slice of the new values.
+    values: TokenStream,
+}
+
+impl NewValue {
+    /// Returns the parts for a parameter.
+    fn of(Parameter { name, repetitions, .. }: &Parameter) -> Self {
+        let Some(repetitions) = repetitions else {
+            return NewValue {
+                argument: quote!(value_: T),
+                doc: TokenStream::new(),
+                change: quote!(parameters_.#name = value_;),
+                values: quote!(&[value_]),
+            };
+        };
+        let doc = format!(
+            " `value` returns the number of each of the {repetitions} repetitions, by index."
+        );
+        NewValue {
+            argument: quote!(mut value_: impl ::core::ops::FnMut(::core::primitive::usize) -> T),
+            doc: quote! {
+                ///
+                #[doc = #doc]
+            },
+            change: quote! {
+                for (index_, place_) in ::core::iter::zip(0.., &mut parameters_.#name) {
+                    *place_ = value_(index_);
+                }
+            },
+            values: quote!(&parameters_.#name),
+        }
+    }
+}
+
+/// Returns the statements that test the rules on the chain with the new parameter.
+fn rules(cx: &EmitContext, parameter: &str) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let of_segment = |segment: Segment| {
+        let rules = cx.compiled.checks[segment.first..segment.first + segment.count].iter();
+        let rules = rules.map(|check| {
+            let (positive, reason) = (check.must == Bound::BePositive, &check.reason);
+            quote!((#positive, #reason))
+        });
+        if segment.repetitions == 1
+            && segment.offset == 0
+            && segment.count == cx.compiled.checks.len()
+        {
+            return quote!(#mstmm::generated::check_rules(#parameter, &checks_, &[#(#rules),*])?;);
+        }
+        let slices = cx.slices(&quote!(checks_), &segment);
+        quote! {
+            for numbers_ in #slices {
+                #mstmm::generated::check_rules(#parameter, numbers_, &[#(#rules),*])?;
+            }
+        }
+    };
+    checked(cx).segments.into_iter().map(of_segment).collect()
 }
