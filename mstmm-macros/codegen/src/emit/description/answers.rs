@@ -5,7 +5,7 @@ use super::super::arrays::usize_literal;
 use super::super::kinematics_bodies::point_type;
 use crate::compile::layouts;
 use crate::model::{Answer, Body, BodyId, Dimension, Request};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// Returns the implementation of `Answers`.
@@ -43,8 +43,8 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             }
         }
     });
-    let (frame, motion) =
-        cx.compiled.find(Answer::Kinematics).map(|_| motion(cx)).unwrap_or_default();
+    let kinematics = cx.compiled.find(Answer::Kinematics);
+    let (frame, motion) = (kinematics.map(|_| frame(cx)), kinematics.map(|_| motion(cx)));
     quote! {
         #[allow(clippy::all, unused_imports, unused_variables)]
         impl<T: #mstmm::Scalar> #mstmm::Answers for #name<T> {
@@ -57,31 +57,21 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// Returns the variant of each answer with the code that computes it.
-fn arms(cx: &EmitContext) -> Vec<(proc_macro2::Ident, TokenStream)> {
-    let mut arms = Vec::new();
-    let mut add = |name: &str, code: TokenStream| arms.push((format_ident!("{name}"), code));
+/// The variant of an answer, with the code that computes it.
+type AnswerArm = (Ident, TokenStream);
+
+/// Returns the arms of all answers that the chain has.
+fn arms(cx: &EmitContext) -> Vec<AnswerArm> {
+    [of_state(cx), of_vectors(cx), of_several_parts(cx)].concat()
+}
+
+/// Returns the arms of the vectors and matrices in a state.
+fn of_state(cx: &EmitContext) -> Vec<AnswerArm> {
     let has = |answer| cx.compiled.find(answer).is_some();
     let asks = |request| cx.chain.requests.contains(&request);
-    let none = quote!(::core::option::Option::None);
-    let plain = |method: &str| {
-        let method = format_ident!("{method}_into");
-        quote!(written(result_, |it_| self.#method(state_, inputs_, it_)),)
-    };
-    let with = |method: &str, arguments: TokenStream| {
-        let method = format_ident!("{method}_into");
-        quote!(written(result_, |it_| self.#method(#arguments, it_)),)
-    };
-    let of_given = |method: &str, arguments: TokenStream| {
-        let call = with(method, arguments);
-        quote!(match given(given_) {
-            ::core::option::Option::Some(ref vector_) => #call
-            ::core::option::Option::None => #none,
-        })
-    };
     let inverse_mass_matrix = has(Answer::InverseMassMatrix)
         || (asks(Request::MassMatrix) && has(Answer::InverseMassMatrixTimes));
-    for (is_there, name, method) in [
+    let answers = [
         (has(Answer::BiasEfforts), "BiasEfforts", "bias_efforts"),
         (has(Answer::GravityEfforts), "GravityEfforts", "gravity_efforts"),
         (has(Answer::PassiveEfforts), "PassiveEfforts", "passive_efforts"),
@@ -89,54 +79,61 @@ fn arms(cx: &EmitContext) -> Vec<(proc_macro2::Ident, TokenStream)> {
         (inverse_mass_matrix, "InverseMassMatrix", "inverse_mass_matrix"),
         (asks(Request::Momentum), "MomentumMatrix", "momentum_matrix"),
         (asks(Request::CoriolisMatrix), "CoriolisMatrix", "coriolis_matrix"),
-    ] {
-        if is_there {
-            add(name, plain(method));
-        }
-    }
-    let by_accelerations = quote!(state_, vector_, inputs_);
-    let by_vector = quote!(state_, inputs_, vector_);
+    ];
+    let arguments = quote!(state_, inputs_);
+    present(answers.map(|(is_there, name, method)| (is_there, name, call(method, &arguments))))
+}
+
+/// Returns the arms of the answers to a vector that the caller gives.
+fn of_vectors(cx: &EmitContext) -> Vec<AnswerArm> {
+    let has = |answer| cx.compiled.find(answer).is_some();
+    let asks = |request| cx.chain.requests.contains(&request);
+    let by_accelerations = &quote!(state_, vector_, inputs_);
+    let by_vector = &quote!(state_, inputs_, vector_);
     let mass_matrix = asks(Request::MassMatrix);
-    for (is_there, name, method, arguments) in [
-        (has(Answer::InverseDynamics), "InverseDynamics", "inverse_dynamics", &by_accelerations),
-        (asks(Request::Regressor), "Regressor", "regressor", &by_accelerations),
-        (
-            mass_matrix && has(Answer::MassMatrixTimes),
-            "MassMatrixTimes",
-            "mass_matrix_times",
-            &by_vector,
-        ),
-        (
-            mass_matrix && has(Answer::InverseMassMatrixTimes),
-            "InverseMassMatrixTimes",
-            "inverse_mass_matrix_times",
-            &by_vector,
-        ),
-        (asks(Request::CoriolisMatrix), "CoriolisMatrixTimes", "coriolis_matrix_times", &by_vector),
-    ] {
-        if is_there {
-            add(name, of_given(method, arguments.clone()));
-        }
-    }
-    if asks(Request::Regressor) {
-        let parameters = quote! {
-            write_parts(result_, [self.dynamic_parameters().as_slice()])
-                .map(::core::result::Result::Ok),
-        };
-        add("DynamicParameters", parameters);
-    }
-    for (is_there, name, code) in [
+    let times = mass_matrix && has(Answer::MassMatrixTimes);
+    let inverse_times = mass_matrix && has(Answer::InverseMassMatrixTimes);
+    let coriolis_times = asks(Request::CoriolisMatrix);
+    let answers = [
+        (has(Answer::InverseDynamics), "InverseDynamics", "inverse_dynamics", by_accelerations),
+        (asks(Request::Regressor), "Regressor", "regressor", by_accelerations),
+        (times, "MassMatrixTimes", "mass_matrix_times", by_vector),
+        (inverse_times, "InverseMassMatrixTimes", "inverse_mass_matrix_times", by_vector),
+        (coriolis_times, "CoriolisMatrixTimes", "coriolis_matrix_times", by_vector),
+    ];
+    present(answers.map(|(is_there, name, method, arguments)| {
+        let call = call(method, arguments);
+        let code = quote!(match given(given_) {
+            ::core::option::Option::Some(ref vector_) => #call
+            ::core::option::Option::None => ::core::option::Option::None,
+        });
+        (is_there, name, code)
+    }))
+}
+
+/// Returns the arms of the answers that consist of several parts.
+fn of_several_parts(cx: &EmitContext) -> Vec<AnswerArm> {
+    let asks = |request| cx.chain.requests.contains(&request);
+    present([
+        (asks(Request::Regressor), "DynamicParameters", dynamic_parameters()),
         (asks(Request::Derivatives), "InverseDynamicsDerivatives", derivatives(cx)),
         (asks(Request::Linearize), "Linearize", linearize(cx)),
         (asks(Request::Push), "Push", push(cx)),
         (asks(Request::Pull), "Pull", pull(cx)),
         (asks(Request::Momentum), "Momentum", momentum(cx)),
-    ] {
-        if is_there {
-            add(name, code);
-        }
-    }
-    arms
+    ])
+}
+
+/// Returns the arms of the answers that are there.
+fn present<const N: usize>(answers: [(bool, &str, TokenStream); N]) -> Vec<AnswerArm> {
+    let present = answers.into_iter().filter(|(is_there, ..)| *is_there);
+    present.map(|(_, name, code)| (format_ident!("{name}"), code)).collect()
+}
+
+/// Returns the code that copies the result of a method with these arguments.
+fn call(method: &str, arguments: &TokenStream) -> TokenStream {
+    let method = format_ident!("{method}_into");
+    quote!(written(result_, |it_| self.#method(#arguments, it_)),)
 }
 
 /// Returns a block that ends with an error of a call, or copies parts of its results.
@@ -152,6 +149,14 @@ fn block(before: &TokenStream, call: &TokenStream, parts: &TokenStream) -> Token
             }
         }
     })
+}
+
+/// Returns the code that copies the dynamic parameters.
+fn dynamic_parameters() -> TokenStream {
+    quote! {
+        write_parts(result_, [self.dynamic_parameters().as_slice()])
+            .map(::core::result::Result::Ok),
+    }
 }
 
 fn derivatives(cx: &EmitContext) -> TokenStream {
@@ -256,7 +261,7 @@ fn momentum(cx: &EmitContext) -> TokenStream {
 }
 
 /// Returns the names of the frames of a body, each with the name of its accessor.
-pub fn frames(body: &Body) -> Vec<(String, proc_macro2::Ident)> {
+pub fn frames(body: &Body) -> Vec<(String, Ident)> {
     let common = [("input", true), ("output", body.present.output), ("com", body.present.com)];
     let common = common.into_iter().filter(|(_, is_there)| *is_there);
     let common = common.map(|(name, _)| (name.to_owned(), format_ident!("{name}")));
@@ -264,11 +269,9 @@ pub fn frames(body: &Body) -> Vec<(String, proc_macro2::Ident)> {
     common.chain(named).collect()
 }
 
-/// Returns the method that finds a frame in the kinematics, and the method that computes its motion.
-fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
-    let mstmm = &cx.mstmm;
-    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
-    let (name, kinematics) = (&cx.names.chain, &cx.names.kinematics);
+/// Returns the method that finds a frame in the kinematics.
+fn frame(cx: &EmitContext) -> TokenStream {
+    let (mstmm, name, kinematics) = (&cx.mstmm, &cx.names.chain, &cx.names.kinematics);
     let point = point_type(cx, &quote!('_));
     let bodies: Vec<BodyId> = cx.chain.physical_bodies().collect();
     let arms = bodies.into_iter().enumerate().flat_map(|(row, id)| {
@@ -287,13 +290,7 @@ fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
             })
             .collect::<Vec<_>>()
     });
-    let jacobian = match cx.has_columns() {
-        true => {
-            quote!(#mstmm::generated::answers::JacobianSlice::write_jacobian(&point_, jacobian_)?)
-        }
-        false => quote!(return ::core::option::Option::None),
-    };
-    let frame = quote! {
+    quote! {
         #[allow(dead_code, unused_variables, clippy::all)]
         impl<T: #mstmm::Scalar> #name<T> {
             /// Returns a frame in the kinematics.
@@ -307,8 +304,20 @@ fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
                 })
             }
         }
+    }
+}
+
+/// Returns the method that computes the motion of a frame.
+fn motion(cx: &EmitContext) -> TokenStream {
+    let (mstmm, kinematics) = (&cx.mstmm, &cx.names.kinematics);
+    let (state, inputs) = (&cx.names.state, &cx.names.inputs);
+    let jacobian = match cx.has_columns() {
+        true => {
+            quote!(#mstmm::generated::answers::JacobianSlice::write_jacobian(&point_, jacobian_)?)
+        }
+        false => quote!(return ::core::option::Option::None),
     };
-    let motion = quote! {
+    quote! {
         fn motion_(
             &self,
             state_: &#state<T>,
@@ -330,6 +339,5 @@ fn motion(cx: &EmitContext) -> (TokenStream, TokenStream) {
                 ::core::convert::From::from(point_),
             ))
         }
-    };
-    (frame, motion)
+    }
 }
