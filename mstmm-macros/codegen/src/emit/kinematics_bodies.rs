@@ -115,68 +115,39 @@ fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
     }
 }
 
+/// Returns the type of a body, with an anonymous lifetime.
+fn type_of(cx: &EmitContext, body: &Body) -> TokenStream {
+    if body.points.is_empty() {
+        return common(cx, body, &quote!('_));
+    }
+    let name = own_name(cx, body);
+    quote!(#name<'_, T>)
+}
+
 /// Returns the method for a body; `run` is the first run of its path.
 pub fn accessor(cx: &EmitContext, id: BodyId, run: usize) -> TokenStream {
-    let mstmm = &cx.mstmm;
     let (body, visibility) = (&cx.chain.bodies[id], &cx.passthrough.visibility);
-    let name = &body.name;
-    let anonymous = quote!('_);
-    let ty = match body.points.is_empty() {
-        true => common(cx, body, &anonymous),
-        false => {
-            let name = own_name(cx, body);
-            quote!(#name<'_, T>)
-        }
-    };
+    let Body { name, path, .. } = body;
+    let (ty, what) = (type_of(cx, body), body::contents(body));
     let stored = Stored::of(cx, id);
-    let (motion, frames) = (stored.motion(cx), stored.frames(cx));
-    let frame = |frame| stored.frame(cx, body, frame);
-    let (output, com) = (frame(BodyFrame::Output), position(&frame(BodyFrame::Com)));
-    let (run, motion_name) = (usize_literal(run), motion_name(cx));
-    let repetition =
-        stored.repetitions.map_or(quote!(0), |_| quote!(index_ as ::core::primitive::u32));
-    let columns = match cx.has_columns() {
-        true => {
-            quote!(#mstmm::RateColumns::new(&self.columns, Self::RUNS_, #run, #repetition))
-        }
-        false => quote!(#mstmm::NoColumns),
-    };
-    let common = quote!(#mstmm::BodyKinematics::new(motion_, #output, #com, #columns));
-    let result = match body.points.is_empty() {
-        true => common,
-        false => {
-            let name = own_name(cx, body);
-            let points = body.points.iter().enumerate().map(|(index, point)| {
-                let (field, frame) = (body::field(&point.name), frame(BodyFrame::Point(index)));
-                quote!(#field: #frame)
-            });
-            quote!(#name { common_: #common, #(#points),* })
-        }
-    };
-    let what = body::contents(body);
-    let prepared = quote! {
-        let motion_ = #mstmm::#motion_name::new(#motion);
-        #frames
-    };
+    let (statements, result) = (stored.statements(cx), stored.result(cx, run));
     match stored.repetitions {
         None => {
             let doc = format!(
-                " Returns the kinematics of body `{}`: {what}, and any other point by `at`.",
-                body.path
+                " Returns the kinematics of body `{path}`: {what}, and any other point by `at`."
             );
             quote! {
                 #[doc = #doc]
                 #[inline]
                 #visibility fn #name(&self) -> #ty {
-                    #prepared
+                    #statements
                     #result
                 }
             }
         }
         Some(count) => {
             let doc = format!(
-                " Returns the kinematics of body `{}` in repetition `index` of {count}: {what}, and any other point by `at`.",
-                body.path
+                " Returns the kinematics of body `{path}` in repetition `index` of {count}: {what}, and any other point by `at`."
             );
             quote! {
                 #[doc = #doc]
@@ -185,7 +156,7 @@ pub fn accessor(cx: &EmitContext, id: BodyId, run: usize) -> TokenStream {
                     &self,
                     index_: ::core::primitive::usize,
                 ) -> ::core::option::Option<#ty> {
-                    #prepared
+                    #statements
                     ::core::option::Option::Some(#result)
                 }
             }
@@ -210,6 +181,47 @@ impl Stored {
         let entry = entry.unwrap_or_else(|| bug!("a body on no route has no kinematics"));
         let repetitions = cx.chain.repeat_of_body(id).map(|repeat| cx.chain.repeats[repeat].count);
         Stored { id, entry, repetitions }
+    }
+
+    /// Returns the statements that read the motion and the frames.
+    fn statements(&self, cx: &EmitContext) -> TokenStream {
+        let mstmm = &cx.mstmm;
+        let (name, motion, frames) = (motion_name(cx), self.motion(cx), self.frames(cx));
+        quote! {
+            let motion_ = #mstmm::#name::new(#motion);
+            #frames
+        }
+    }
+
+    /// Returns the expression for the kinematics after these statements.
+    fn result(&self, cx: &EmitContext, run: usize) -> TokenStream {
+        let mstmm = &cx.mstmm;
+        let body = &cx.chain.bodies[self.id];
+        let frame = |frame| self.frame(cx, body, frame);
+        let (output, com) = (frame(BodyFrame::Output), position(&frame(BodyFrame::Com)));
+        let columns = self.columns(cx, run);
+        let common = quote!(#mstmm::BodyKinematics::new(motion_, #output, #com, #columns));
+        if body.points.is_empty() {
+            return common;
+        }
+        let points = body.points.iter().enumerate().map(|(index, point)| {
+            let (field, frame) = (body::field(&point.name), frame(BodyFrame::Point(index)));
+            quote!(#field: #frame)
+        });
+        let name = own_name(cx, body);
+        quote!(#name { common_: #common, #(#points),* })
+    }
+
+    /// Returns the expression for the columns of the Jacobian that are not zero.
+    fn columns(&self, cx: &EmitContext, run: usize) -> TokenStream {
+        let mstmm = &cx.mstmm;
+        if !cx.has_columns() {
+            return quote!(#mstmm::NoColumns);
+        }
+        let run = usize_literal(run);
+        let repetition =
+            self.repetitions.map_or(quote!(0), |_| quote!(index_ as ::core::primitive::u32));
+        quote!(#mstmm::RateColumns::new(&self.columns, Self::RUNS_, #run, #repetition))
     }
 
     /// Returns the expression for a reference to the stored motion.
