@@ -8,17 +8,34 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::ops::Range;
 
-/// Returns `struct ChainState<T>`.
+/// Returns `struct ChainState<T>` and its implementations.
 pub fn emit(cx: &EmitContext) -> TokenStream {
+    let (mstmm, name, chain) = (&cx.mstmm, &cx.names.state, &cx.names.chain);
+    let declaration = declaration(cx);
+    let accessors = cx.chain.hinges.ids().into_iter().map(|index| accessors(cx, index));
+    let chain_state = chain_state(cx);
+    quote! {
+        #declaration
+        #[allow(dead_code, non_snake_case)]
+        impl<T: #mstmm::Scalar> #name<T> {
+            #(#accessors)*
+        }
+        impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
+            fn default() -> Self {
+                #chain::new().initial_state()
+            }
+        }
+        #chain_state
+    }
+}
+
+/// Returns the struct.
+fn declaration(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (&cx.names.state, &cx.passthrough.visibility);
-    let chain = &cx.names.chain;
     let doc = format!(" The state of [`{}`]: coordinates, rates and time.", cx.names.chain);
-    let coordinates = usize_literal(cx.coordinates().total);
-    let dof_count = usize_literal(cx.rates().total);
-    let accessors = cx.chain.hinges.ids().into_iter().map(|index| accessors(cx, index));
-    let rest = rest(cx);
     let order = orders::of_state(cx);
+    let [coordinates, dof_count] = [cx.coordinates(), cx.rates()].map(|it| usize_literal(it.total));
     quote! {
         #[doc = #doc]
         ///
@@ -37,15 +54,14 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
             /// The time in s.
             #visibility t: T,
         }
-        #[allow(dead_code, non_snake_case)]
-        impl<T: #mstmm::Scalar> #name<T> {
-            #(#accessors)*
-        }
-        impl<T: #mstmm::Scalar> ::core::default::Default for #name<T> {
-            fn default() -> Self {
-                #chain::new().initial_state()
-            }
-        }
+    }
+}
+
+/// Returns the implementation of `ChainState`.
+fn chain_state(cx: &EmitContext) -> TokenStream {
+    let (mstmm, name) = (&cx.mstmm, &cx.names.state);
+    let (rest, dof_count) = (rest(cx), usize_literal(cx.rates().total));
+    quote! {
         impl<T: #mstmm::Scalar> #mstmm::ChainState for #name<T> {
             type Scalar = T;
             fn zero_position() -> Self {
