@@ -94,53 +94,8 @@ pub fn bounds(printer: &Printer, bounds: &[ValueBound]) -> TokenStream {
 /// Prints the check of the results.
 pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
     let mstmm = &printer.cx.mstmm;
-    let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
-    let mut repeated = TokenStream::new();
-    for PivotTest { hinge, pivot } in &check.pivots {
-        match pivot {
-            PivotValue::Once(value, scale) => {
-                names.push(hinge);
-                values.push(printer.operand(value));
-                scales.push(printer.operand(scale));
-            }
-            PivotValue::Repeated(check) => {
-                let flag = flag(*check);
-                repeated.extend(quote!(#mstmm::generated::check_pivot(#flag, #hinge)?;));
-            }
-        }
-    }
-    let (mut numbers, mut columns, mut arrays) = (Vec::new(), Vec::new(), TokenStream::new());
-    let or_given: TokenStream = given(printer)
-        .map(|(name, vector)| {
-            let or_argument = quote!(or_argument::<T>(error_, #name, #vector.as_slice()));
-            quote!(.map_err(|error_| #mstmm::generated::#or_argument))
-        })
-        .collect();
-    // A long array is not passed by value.
-    let of_array = |array: &ArrayId, check: TokenStream| {
-        let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
-        quote!(#mstmm::generated::#check::<Self, #scalar>(#result.as_slice(), state_, inputs_) #or_given?;)
-    };
-    for witness in &check.finite {
-        match witness {
-            Witness::Value(value) if printer.varying.operand(value) => {
-                columns.push(printer.operand(value));
-            }
-            Witness::Value(value) => numbers.push(printer.operand(value)),
-            Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
-            Witness::Array(array) => arrays.extend(of_array(array, quote!(check_finite_slice))),
-        }
-    }
-    if !columns.is_empty() {
-        let check = quote!(check_finite::<Self, C>(&[&[#(#columns),*]], state_, inputs_));
-        arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
-    }
-    if !check.unless_bounded.is_empty() {
-        let is_bounded = helper("is_bounded");
-        let stored = check.unless_bounded.iter();
-        let results = stored.map(|array| of_array(array, quote!(check_stored)));
-        arrays.extend(quote!(if !#is_bounded { #(#results)* }));
-    }
+    let TestedPivots { names, values, scales, repeated } = TestedPivots::of(printer, check);
+    let TestedResults { numbers, arrays } = TestedResults::of(printer, check);
     let [values, scales] = [values, scales].map(|numbers| quote!([#(#numbers),*]));
     let pivot_error =
         quote!(pivot_error::<Self, _>(&[#(#names),*], #values, #scales, state_, inputs_));
@@ -163,6 +118,91 @@ pub fn results(printer: &Printer, check: &ResultCheck) -> TokenStream {
             #fail
         }
         #arrays
+    }
+}
+
+/// The pivots that are tested.
+struct TestedPivots<'a> {
+    /// The hinges outside of repeated parts.
+    names: Vec<&'a String>,
+    /// Their pivots.
+    values: Vec<TokenStream>,
+    /// The magnitudes that the pivots are compared with.
+    scales: Vec<TokenStream>,
+    /// The statements that test the flags of the pivots in repeated parts.
+    repeated: TokenStream,
+}
+
+impl<'a> TestedPivots<'a> {
+    /// Prints the pivots of a check.
+    fn of(printer: &Printer, check: &'a ResultCheck) -> Self {
+        let mstmm = &printer.cx.mstmm;
+        let (mut names, mut values, mut scales) = (Vec::new(), Vec::new(), Vec::new());
+        let mut repeated = TokenStream::new();
+        for PivotTest { hinge, pivot } in &check.pivots {
+            match pivot {
+                PivotValue::Once(value, scale) => {
+                    names.push(hinge);
+                    values.push(printer.operand(value));
+                    scales.push(printer.operand(scale));
+                }
+                PivotValue::Repeated(check) => {
+                    let flag = flag(*check);
+                    repeated.extend(quote!(#mstmm::generated::check_pivot(#flag, #hinge)?;));
+                }
+            }
+        }
+        TestedPivots { names, values, scales, repeated }
+    }
+}
+
+/// The values that must be finite.
+struct TestedResults {
+    /// Those that are tested with the pivots.
+    numbers: Vec<TokenStream>,
+    /// The statements that test the others.
+    arrays: TokenStream,
+}
+
+impl TestedResults {
+    /// Prints the values of a check that must be finite.
+    fn of(printer: &Printer, check: &ResultCheck) -> Self {
+        let mstmm = &printer.cx.mstmm;
+        let (mut numbers, mut columns, mut arrays) = (Vec::new(), Vec::new(), TokenStream::new());
+        let or_given: TokenStream = given(printer)
+            .map(|(name, vector)| {
+                let or_argument = quote!(or_argument::<T>(error_, #name, #vector.as_slice()));
+                quote!(.map_err(|error_| #mstmm::generated::#or_argument))
+            })
+            .collect();
+        // A long array is not passed by value.
+        let of_array = |array: &ArrayId, check: TokenStream| {
+            let (result, scalar) = (printer.stored_result(*array), printer.scalar(*array));
+            quote!(#mstmm::generated::#check::<Self, #scalar>(#result.as_slice(), state_, inputs_) #or_given?;)
+        };
+        for witness in &check.finite {
+            match witness {
+                Witness::Value(value) if printer.varying.operand(value) => {
+                    columns.push(printer.operand(value));
+                }
+                Witness::Value(value) => numbers.push(printer.operand(value)),
+                Witness::Entry(array, entry) => numbers.push(self::entry(printer, *array, *entry)),
+                Witness::Array(array) => {
+                    arrays.extend(of_array(array, quote!(check_finite_slice)));
+                }
+            }
+        }
+        if !columns.is_empty() {
+            let check = quote!(check_finite::<Self, C>(&[&[#(#columns),*]], state_, inputs_));
+            arrays.extend(quote!(#mstmm::generated::#check #or_given?;));
+        }
+        if !check.unless_bounded.is_empty() {
+            let is_bounded = helper("is_bounded");
+            let stored = check.unless_bounded.iter();
+            let results = stored.map(|array| of_array(array, quote!(check_stored)));
+            arrays.extend(quote!(if !#is_bounded { #(#results)* }));
+        }
+        TestedResults { numbers, arrays }
     }
 }
 
