@@ -54,8 +54,47 @@ fn local(array: ArrayId) -> Ident {
 
 /// Prints a loop.
 pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
-    let cx = printer.cx;
-    let mstmm = &cx.mstmm;
+    let LoopAccess { inputs, taken, writes } = accesses(printer, loop_);
+    let computed: Vec<Step> =
+        loop_.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
+    let sections = printer.steps(&computed, |_| {
+        bug!("the steps of a loop other than sections are printed separately")
+    });
+    let variable = |value| printer.variables.get(value);
+    let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
+    let phis = loop_.carries.iter().map(|carry| variable(carry.phi));
+    let of_type = |carry: &CarriedValue, operand: &Operand| {
+        printer.operand_of(operand, printer.varying.value(carry.phi))
+    };
+    let inits = loop_.carries.iter().map(|carry| of_type(carry, &carry.init));
+    let nexts = loop_.carries.iter().map(|carry| of_type(carry, &carry.next));
+    let (pattern, iterator) = zipped(inputs, &usize_literal(loop_.repetitions), loop_.inward);
+    let taken_apart = taken_apart(printer, loop_);
+    quote! {
+        #(let mut #exits = #inits;)*
+        #taken_apart
+        for #pattern in #iterator {
+            #taken
+            #(let #phis = #exits;)*
+            #sections
+            #writes
+            (#(#exits,)*) = (#(#nexts,)*);
+        }
+    }
+}
+
+/// What a repetition reads and writes.
+struct LoopAccess {
+    inputs: Vec<LoopInput>,
+    /// The statements at the start that take the values of arguments.
+    taken: TokenStream,
+    /// The statements at the end that store values and test pivots.
+    writes: TokenStream,
+}
+
+/// Prints what a repetition of a loop reads and writes.
+fn accesses(printer: &Printer, loop_: &ForLoop) -> LoopAccess {
+    let mstmm = &printer.cx.mstmm;
     let (mut inputs, mut taken, mut writes) = (Vec::new(), TokenStream::new(), TokenStream::new());
     for step in &loop_.body {
         match step {
@@ -97,32 +136,7 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
             }
         }
     }
-    let computed: Vec<Step> =
-        loop_.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
-    let sections = printer.steps(&computed, |_| {
-        bug!("the steps of a loop other than sections are printed separately")
-    });
-    let variable = |value| printer.variables.get(value);
-    let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
-    let phis = loop_.carries.iter().map(|carry| variable(carry.phi));
-    let of_type = |carry: &CarriedValue, operand: &Operand| {
-        printer.operand_of(operand, printer.varying.value(carry.phi))
-    };
-    let inits = loop_.carries.iter().map(|carry| of_type(carry, &carry.init));
-    let nexts = loop_.carries.iter().map(|carry| of_type(carry, &carry.next));
-    let (pattern, iterator) = zipped(inputs, &usize_literal(loop_.repetitions), loop_.inward);
-    let taken_apart = taken_apart(printer, loop_);
-    quote! {
-        #(let mut #exits = #inits;)*
-        #taken_apart
-        for #pattern in #iterator {
-            #taken
-            #(let #phis = #exits;)*
-            #sections
-            #writes
-            (#(#exits,)*) = (#(#nexts,)*);
-        }
-    }
+    LoopAccess { inputs, taken, writes }
 }
 
 /// Returns the iterator over values of an earlier loop, which has stored them in the order of its direction.
