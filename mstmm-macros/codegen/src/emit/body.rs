@@ -60,6 +60,35 @@ impl BodyReports {
     }
 }
 
+impl Reported {
+    /// Returns the type of the report.
+    fn type_of(&self, cx: &EmitContext) -> TokenStream {
+        let (mstmm, point) = (&cx.mstmm, point_type(cx));
+        match self {
+            Reported::Motion => quote!(#mstmm::BodyPoint<#point>),
+            Reported::Joined => point,
+            Reported::Either(parameter) => quote!(#parameter),
+        }
+    }
+
+    /// Returns what the docs call the report.
+    fn description(&self) -> &'static str {
+        match self {
+            Reported::Motion => "motion of",
+            Reported::Joined => "state at",
+            Reported::Either(_) => "state at, or the motion of,",
+        }
+    }
+
+    /// Returns the parameter with the type of the report, if the type depends on the body.
+    fn parameter(&self) -> Option<&Ident> {
+        match self {
+            Reported::Either(parameter) => Some(parameter),
+            Reported::Motion | Reported::Joined => None,
+        }
+    }
+}
+
 /// Returns how the named points of a body, which has some, are reported.
 fn reported<'a>(cx: &'a EmitContext, body: &Body) -> &'a [Reported] {
     let found = cx.body_reports.0.get(&body.result_name.to_string());
@@ -75,37 +104,21 @@ fn joined(cx: &EmitContext, body: BodyId, point: usize) -> Option<PointId> {
 fn of_type(cx: &EmitContext, body: &Body) -> TokenStream {
     let mstmm = &cx.mstmm;
     let (name, visibility) = (own_name(cx, body), &cx.passthrough.visibility);
-    let (common, point) = (common(cx, body), point_type(cx));
+    let common = common(cx, body);
     let doc = format!(
         " Results at a body `{}` of [`{}`]: its ends, its centre of mass and its named points.",
         body.type_name, cx.chain.name
     );
     let reports = reported(cx, body);
-    let parameters: Vec<&Ident> = reports
-        .iter()
-        .filter_map(|reported| match reported {
-            Reported::Either(parameter) => Some(parameter),
-            Reported::Motion | Reported::Joined => None,
-        })
-        .collect();
+    let parameters: Vec<&Ident> = reports.iter().filter_map(Reported::parameter).collect();
     let points = body.points.iter().zip(reports);
     let fields = points.clone().map(|(named, reported)| {
-        let field = field(&named.name);
-        let stored = match reported {
-            Reported::Motion => quote!(#mstmm::BodyPoint<#point>),
-            Reported::Joined => quote!(#point),
-            Reported::Either(parameter) => quote!(#parameter),
-        };
-        quote!(#field: #stored,)
+        let (field, ty) = (field(&named.name), reported.type_of(cx));
+        quote!(#field: #ty,)
     });
     let methods = points.map(|(NamedPoint { name, .. }, reported)| {
-        let field = field(name);
-        let (what, ty) = match reported {
-            Reported::Motion => ("motion of", quote!(#mstmm::BodyPoint<#point>)),
-            Reported::Joined => ("state at", point.clone()),
-            Reported::Either(parameter) => ("state at, or the motion of,", quote!(#parameter)),
-        };
-        let doc = format!(" Returns the {what} the point `{name}`.");
+        let (field, ty) = (field(name), reported.type_of(cx));
+        let doc = format!(" Returns the {} the point `{name}`.", reported.description());
         quote! {
             #[doc = #doc]
             #[inline]
