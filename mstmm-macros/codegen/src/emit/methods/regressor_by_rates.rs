@@ -7,64 +7,21 @@ use super::super::{EmitContext, initial_values};
 use super::dynamics::of_accelerations;
 use super::fallible;
 use super::regressor::size;
-use crate::compile::{layouts, outputs};
+use crate::compile::{CompiledFunction, layouts, outputs};
 use crate::model::{Answer, BodyId, DynamicParameter, MovesWith};
 use crate::program::{OutputId, PACK};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 /// The number of columns of the regressor for one body.
 const PARAMETERS: usize = 10;
 
 /// Returns the statements that call the method, and the private method. Both are empty if the chain lacks it.
-///
-/// The code for the motions of bodies and rates is that of the chain, the products of both are the same for all chains.
 pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
     let Some(function) = cx.compiled.find(Answer::RegressorMotions) else {
         return (TokenStream::new(), TokenStream::new());
     };
     let mstmm = &cx.mstmm;
-    let arrays = [outputs::MOTIONS, outputs::COLUMNS, outputs::PASSIVE];
-    let arrays = arrays.iter().filter_map(|&id| {
-        let initial = initial_values::array_of(cx, Answer::RegressorMotions, id)?;
-        let name = format_ident!("{}_", id.name);
-        Some(quote!(let mut #name = #initial;))
-    });
-    let destination = |id: OutputId| {
-        let name = format_ident!("{}_", id.name);
-        Destination::Array(quote!(#name))
-    };
-    let fresh = TokenStream::new();
-    let statements = match &function.packed {
-        Some(packed) => cx.procedure_of_packs(packed, &fresh, destination),
-        None => cx.procedure(&function.procedure, &fresh, destination),
-    };
-    let bodies = cx.chain.physical_bodies().count();
-    let elements = elements(cx);
-    let (paths, first_element) = (paths(cx), usize_literal(PARAMETERS * bodies));
-    let padded = usize_literal(layouts::padded_rates(cx.layout));
-    let of_elements = (!elements.is_empty()).then(|| {
-        quote! {
-            if let ::core::option::Option::Some(elements_) = regressor_.data.0.get_mut(#first_element..) {
-                #mstmm::generated::regressor_of_elements(&passive_, &[#(#elements),*], elements_);
-            }
-        }
-    });
-    let opening = quote! {
-        #(#arrays)*
-        #statements
-        let sum_ = #mstmm::generated::regressor_of_bodies::<T, C, _, #padded, _>(
-            motions_.as_chunks::<3>().0.as_chunks::<7>().0,
-            &[#(#paths),*],
-            #mstmm::generated::chunks::<_, #padded, 0, 6>(&columns_),
-            &mut regressor_.data.0,
-        );
-        #of_elements
-        #mstmm::generated::check_finite::<Self, T>(&[&[sum_]], state_, inputs_)?;
-    };
-    let body = body(opening, quote!(::core::result::Result::Ok(())));
-    let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
-    let (rows, columns) = size(cx);
     let lanes = usize_literal(PACK);
     let dispatch = quote! {
         if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT >= #lanes {
@@ -76,6 +33,9 @@ pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
             );
         }
     };
+    let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
+    let (rows, columns) = size(cx);
+    let body = body(statements(cx, function), quote!(::core::result::Result::Ok(())));
     let method = quote! {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn regressor_by_rates_<C: #mstmm::Columns<T>>(
@@ -85,6 +45,48 @@ pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
         ) -> #returns #body
     };
     (dispatch, method)
+}
+
+/// Returns the statements of the method.
+///
+/// The code for the motions of bodies and rates is that of the chain, the products of both are the same for all chains.
+fn statements(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let motions = motions(cx, function);
+    let (paths, passive_columns) = (paths(cx), passive_columns(cx));
+    let padded = usize_literal(layouts::padded_rates(cx.layout));
+    quote! {
+        #motions
+        let sum_ = #mstmm::generated::regressor_of_bodies::<T, C, _, #padded, _>(
+            motions_.as_chunks::<3>().0.as_chunks::<7>().0,
+            &[#(#paths),*],
+            #mstmm::generated::chunks::<_, #padded, 0, 6>(&columns_),
+            &mut regressor_.data.0,
+        );
+        #passive_columns
+        #mstmm::generated::check_finite::<Self, T>(&[&[sum_]], state_, inputs_)?;
+    }
+}
+
+/// Returns the statements that compute the motions of bodies and rates.
+fn motions(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
+    let variable = |id: OutputId| format_ident!("{}_", id.name);
+    let arrays = [outputs::MOTIONS, outputs::COLUMNS, outputs::PASSIVE];
+    let arrays = arrays.iter().filter_map(|&id| {
+        let initial = initial_values::array_of(cx, Answer::RegressorMotions, id)?;
+        let name = variable(id);
+        Some(quote!(let mut #name = #initial;))
+    });
+    let destination = |id: OutputId| Destination::Array(variable(id).to_token_stream());
+    let fresh = TokenStream::new();
+    let statements = match &function.packed {
+        Some(packed) => cx.procedure_of_packs(packed, &fresh, destination),
+        None => cx.procedure(&function.procedure, &fresh, destination),
+    };
+    quote! {
+        #(#arrays)*
+        #statements
+    }
 }
 
 /// Returns for each body the rates that move it: bit `k` belongs to rate `k`, with 64 bits in each word.
@@ -105,6 +107,19 @@ fn paths(cx: &EmitContext) -> Vec<TokenStream> {
         quote!([#(#bits),*])
     };
     cx.chain.physical_bodies().map(path).collect()
+}
+
+/// Returns the statements for the columns of passive elements, if the chain has any.
+fn passive_columns(cx: &EmitContext) -> Option<TokenStream> {
+    let (mstmm, elements) = (&cx.mstmm, elements(cx));
+    let first = usize_literal(PARAMETERS * cx.chain.physical_bodies().count());
+    (!elements.is_empty()).then(|| {
+        quote! {
+            if let ::core::option::Option::Some(elements_) = regressor_.data.0.get_mut(#first..) {
+                #mstmm::generated::regressor_of_elements(&passive_, &[#(#elements),*], elements_);
+            }
+        }
+    })
 }
 
 /// Returns for each passive element the first rate of its hinge and the number of these rates.
