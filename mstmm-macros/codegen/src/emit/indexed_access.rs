@@ -34,9 +34,7 @@ impl HingeSegments {
     fn taken(&self, cx: &EmitContext, at: &TokenStream, change: bool) -> TokenStream {
         let take =
             |(segment, range): &(Segment, Range<usize>), letter: &str, array: TokenStream| {
-                let names = (0..segment.count).map(|k| {
-                    if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
-                });
+                let names = entries(segment, range, letter);
                 if change {
                     let slices = cx.slices_mut(&array, segment);
                     quote!(let [#(#names),*] = #slices.get_mut(#at)?;)
@@ -53,6 +51,15 @@ impl HingeSegments {
 fn variable(letter: &str, number: usize) -> TokenStream {
     let name = helper(&format!("{letter}{number}"));
     quote!(#name)
+}
+
+/// Returns the pattern of a segment's entries, in which only those of a range have names.
+fn entries(segment: &Segment, range: &Range<usize>, letter: &str) -> Vec<TokenStream> {
+    let name = |k: usize| match range.contains(&k) {
+        true => variable(letter, k - range.start),
+        false => quote!(_),
+    };
+    (0..segment.count).map(name).collect()
 }
 
 /// Returns the arguments of a view's constructor, by group; the names of the variables start with `prefix`.
@@ -77,28 +84,17 @@ fn view_name(cx: &EmitContext, hinge: HingeId, suffix: &str) -> Ident {
 pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenStream {
     let mstmm = &cx.mstmm;
     let Hinge { name, path, .. } = &cx.chain.hinges[hinge];
-    let (name_mut, set_each) = (accessor_mut(name), format_ident!("set_each_{name}"));
-    let visibility = &cx.passthrough.visibility;
+    let (name_mut, visibility) = (accessor_mut(name), &cx.passthrough.visibility);
     let segments = HingeSegments::of(cx, hinge);
-    let index = quote!(index_);
-    let (read, change) = (segments.taken(cx, &index, false), segments.taken(cx, &index, true));
-    let (groups, new_groups) = (groups(cx, hinge, ""), groups(cx, hinge, "new_"));
+    let [read, change] = [false, true].map(|change| segments.taken(cx, &quote!(index_), change));
     let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
+    let groups = groups(cx, hinge, "");
     let named = quaternions::named(&cx.chain.hinges[hinge]);
-    let kind = &cx.chain.hinges[hinge].kind;
-    let given =
-        |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
-    let all: Vec<String> =
-        given("q", kind.coordinates()).chain(given("v", kind.dof_count())).collect();
-    let new = all.iter().map(|name| helper(&format!("new_{name}")));
-    let all = all.iter().map(|name| helper(name));
-    let times = usize_literal(count);
     let doc = format!(
         " Returns coordinates and rates of hinge `{path}` in repetition `index` of {count}."
     );
     let doc_mut = format!("{doc} To be changed.");
-    let doc_set =
-        format!(" Sets coordinates and rates of hinge `{path}` in all repetitions, by index.");
+    let set_each = set_each(cx, hinge, count, &change);
     quote! {
         #[doc = #doc]
         #[inline]
@@ -121,7 +117,27 @@ pub fn state_accessors(cx: &EmitContext, hinge: HingeId, count: usize) -> TokenS
             ::core::option::Option::Some(#mstmm::#view_mut::new(#(#groups),*)#named)
         }
 
-        #[doc = #doc_set]
+        #set_each
+    }
+}
+
+/// Returns the method that sets coordinates and rates in all repetitions; `change` borrows those of one.
+fn set_each(cx: &EmitContext, hinge: HingeId, count: usize, change: &TokenStream) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let Hinge { name, path, kind, .. } = &cx.chain.hinges[hinge];
+    let (set_each, visibility) = (format_ident!("set_each_{name}"), &cx.passthrough.visibility);
+    let (view, new_groups) = (view_name(cx, hinge, ""), groups(cx, hinge, "new_"));
+    let given =
+        |letter: &'static str, count: usize| (0..count).map(move |k| format!("{letter}{k}"));
+    let all: Vec<String> =
+        given("q", kind.coordinates()).chain(given("v", kind.dof_count())).collect();
+    let new = all.iter().map(|name| helper(&format!("new_{name}")));
+    let all = all.iter().map(|name| helper(name));
+    let times = usize_literal(count);
+    let doc =
+        format!(" Sets coordinates and rates of hinge `{path}` in all repetitions, by index.");
+    quote! {
+        #[doc = #doc]
         #visibility fn #set_each(&mut self, mut view_: impl ::core::ops::FnMut(::core::primitive::usize) -> #mstmm::#view<T>) {
             let mut set_ = |index_: ::core::primitive::usize| -> ::core::option::Option<()> {
                 let (#(#new_groups,)*) = view_(index_).into_groups();
@@ -146,40 +162,15 @@ pub fn single_accessors(
     let name = &cx.chain.hinges[hinge].name;
     let (name_mut, visibility) = (accessor_mut(name), &cx.passthrough.visibility);
     let (view, view_mut) = (view_name(cx, hinge, ""), view_name(cx, hinge, "Mut"));
-    let HingeSegments { q: (q, q_range), v: (v, v_range) } = HingeSegments::of(cx, hinge);
-    let read = |(segment, range): (&Segment, &Range<usize>), letter: &str, array: TokenStream| {
-        let [count, offset] = [segment.count, segment.offset].map(usize_literal);
-        let names = (0..segment.count).map(|k| {
-            if range.contains(&k) { variable(letter, k - range.start) } else { quote!(_) }
-        });
-        quote! {
-            let [#(#names),*] = #mstmm::generated::segment::<_, #count, #offset>(&#array);
-        }
-    };
-    let (read_q, read_v) =
-        (read((&q, &q_range), "q", quote!(self.q)), read((&v, &v_range), "v", quote!(self.v)));
-    // The pattern counts from the nearer end, so that it stays short after a long repeated part.
-    let change =
-        |layout: &ArrayLayout, (segment, range): (&Segment, &Range<usize>), letter, array| {
-            let names = (0..range.len()).map(|k| variable(letter, k));
-            let before = segment.offset + range.start;
-            let after = layout.total - before - range.len();
-            let pattern = if before <= after {
-                let skipped = (0..before).map(|_| quote!(_,));
-                quote!([#(#skipped)* #(#names,)* ..])
-            } else {
-                let skipped = (0..after).map(|_| quote!(_,));
-                quote!([.., #(#names,)* #(#skipped)*])
-            };
-            let array: TokenStream = array;
-            quote!(let [#pattern] = &mut #array.data.0;)
-        };
+    let HingeSegments { q, v } = HingeSegments::of(cx, hinge);
+    let (q_of_state, v_of_state) = (quote!(self.q), quote!(self.v));
+    let (read_q, read_v) = (copied(cx, &q, "q", &q_of_state), copied(cx, &v, "v", &v_of_state));
+    let (change_q, change_v) = (
+        borrowed(cx.coordinates(), &q, "q", &q_of_state),
+        borrowed(cx.rates(), &v, "v", &v_of_state),
+    );
     let groups = groups(cx, hinge, "");
     let named = quaternions::named(&cx.chain.hinges[hinge]);
-    let (change_q, change_v) = (
-        change(cx.coordinates(), (&q, &q_range), "q", quote!(self.q)),
-        change(cx.rates(), (&v, &v_range), "v", quote!(self.v)),
-    );
     quote! {
         #[doc = #doc]
         #[inline]
@@ -198,6 +189,43 @@ pub fn single_accessors(
             #mstmm::#view_mut::new(#(#groups),*)#named
         }
     }
+}
+
+/// Returns the statement that copies the entries of a hinge outside of repeated parts.
+fn copied(
+    cx: &EmitContext,
+    (segment, range): &(Segment, Range<usize>),
+    letter: &str,
+    array: &TokenStream,
+) -> TokenStream {
+    let mstmm = &cx.mstmm;
+    let names = entries(segment, range, letter);
+    let [count, offset] = [segment.count, segment.offset].map(usize_literal);
+    quote! {
+        let [#(#names),*] = #mstmm::generated::segment::<_, #count, #offset>(&#array);
+    }
+}
+
+/// Returns the statement that borrows the entries of a hinge outside of repeated parts for writing.
+///
+/// Its pattern counts from the nearer end, so that it stays short after a long repeated part.
+fn borrowed(
+    layout: &ArrayLayout,
+    (segment, range): &(Segment, Range<usize>),
+    letter: &str,
+    array: &TokenStream,
+) -> TokenStream {
+    let names = (0..range.len()).map(|k| variable(letter, k));
+    let before = segment.offset + range.start;
+    let after = layout.total - before - range.len();
+    let pattern = if before <= after {
+        let skipped = (0..before).map(|_| quote!(_,));
+        quote!([#(#skipped)* #(#names,)* ..])
+    } else {
+        let skipped = (0..after).map(|_| quote!(_,));
+        quote!([.., #(#names,)* #(#skipped)*])
+    };
+    quote!(let [#pattern] = &mut #array.data.0;)
 }
 
 /// Returns the method for the results of a repeated body.
@@ -241,10 +269,8 @@ pub fn hinge(cx: &EmitContext, (index, element): (HingeId, usize), count: usize)
         _ => {
             let segment = layout.segment_of(range.start);
             let slices = cx.slices(&field, segment);
-            let names = (0..segment.count).map(|k| {
-                let inside = (segment.first + k >= range.start) && (segment.first + k < range.end);
-                if inside { variable("x", segment.first + k - range.start) } else { quote!(_) }
-            });
+            let within = range.start - segment.first..range.end - segment.first;
+            let names = entries(segment, &within, "x");
             let own: Vec<TokenStream> = (0..range.len()).map(|k| variable("x", k)).collect();
             let value = match &own[..] {
                 [one] => quote!(#one),
