@@ -270,9 +270,6 @@ impl Tree {
     /// of boundaries at the start precede all others. A repeated part is traversed without interruption, since
     /// everything between its boundaries is evaluated for each repetition; its ends come last.
     fn of(chain: &Chain, is_weld: impl Fn(HingeId) -> bool, merge: bool) -> Tree {
-        let sides = |hinge: HingeId| {
-            [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
-        };
         let rank = |hinge: HingeId| match chain.repeat_boundary(&chain.hinges[hinge].outboard) {
             Some(RepeatBoundary { at_end: false, .. }) => TraversalOrder::First,
             Some(RepeatBoundary { at_end: true, .. }) => TraversalOrder::Last,
@@ -283,7 +280,7 @@ impl Tree {
             IdVec::filled(Vec::new(), chain.bodies.len());
         let mut next: BTreeSet<(TraversalOrder, HingeId)> = BTreeSet::new();
         for hinge in chain.hinges.ids() {
-            for side in sides(hinge) {
+            for side in sides(chain, hinge) {
                 match side {
                     Some(body) => touching[body].push(hinge),
                     None => _ = next.insert((rank(hinge), hinge)),
@@ -295,19 +292,10 @@ impl Tree {
         let mut joined = IdVec::filled(None, chain.bodies.len());
         let mut inside: Option<RepeatId> = None;
         while let Some(hinge) = pop(chain, &mut next, inside) {
-            let part =
-                |side: Option<BodyId>| side.map_or(Some(MovesWith::Ground), |body| reached[body]);
-            let [inboard, outboard] = sides(hinge);
-            let (body, from, reversed) =
-                match [(inboard, part(inboard)), (outboard, part(outboard))] {
-                    [(_, Some(from)), (Some(body), None)] => (body, from, false),
-                    [(Some(body), None), (_, Some(from))] => (body, from, true),
-                    [(_, Some(_)), (_, Some(_))] => {
-                        loop_hinges.push(hinge);
-                        continue;
-                    }
-                    _ => bug!("hinge `{}` is reached from no side", chain.hinges[hinge].name),
-                };
+            let Some((body, from, reversed)) = added(chain, hinge, &reached) else {
+                loop_hinges.push(hinge);
+                continue;
+            };
             let part = if !(is_weld(hinge) && merge) {
                 let parent = match from {
                     MovesWith::Ground => None,
@@ -337,6 +325,27 @@ impl Tree {
         };
         let parts = chain.bodies.iter().zip(reached).map(part).collect();
         Tree { links, loop_hinges, parts, joined }
+    }
+}
+
+/// Returns the bodies on the inboard and the outboard side of a hinge.
+fn sides(chain: &Chain, hinge: HingeId) -> [Option<BodyId>; 2] {
+    [&chain.hinges[hinge].inboard, &chain.hinges[hinge].outboard].map(Attachment::body)
+}
+
+/// Returns the body that a hinge adds to the tree, the part on its other side, and whether the body is on the inboard
+/// side; none if both sides are in the tree already.
+fn added(
+    chain: &Chain,
+    hinge: HingeId,
+    reached: &IdVec<BodyId, Option<MovesWith>>,
+) -> Option<(BodyId, MovesWith, bool)> {
+    let part = |side: Option<BodyId>| side.map_or(Some(MovesWith::Ground), |body| reached[body]);
+    match sides(chain, hinge).map(|side| (side, part(side))) {
+        [(_, Some(from)), (Some(body), None)] => Some((body, from, false)),
+        [(Some(body), None), (_, Some(from))] => Some((body, from, true)),
+        [(_, Some(_)), (_, Some(_))] => None,
+        _ => bug!("hinge `{}` is reached from no side", chain.hinges[hinge].name),
     }
 }
 
