@@ -127,35 +127,22 @@ pub fn hinge_kinematics<S: Scalar>(
     let from = if reversed { &hinge.outboard } else { &hinge.inboard };
     let (_, from_origin, from_rotation) = context.frame_of(from);
     let (q, v) = (context.coordinates(index), context.rates(index));
-    let displacement = context.displacement(index);
-    let transform = hinge::hinge_transform(&hinge.kind, values, (q, displacement), reversed);
+    let displaced = (q, context.displacement(index));
+    let transform = hinge::hinge_transform(&hinge.kind, values, displaced, reversed);
     let alignment = hinge.kind.law().alignment(values);
     let &PartKinematics { part_to_work, point, omega } = parent;
     let parent_side = part_to_work.then(FrameOrientation::from_matrix(from_rotation * alignment));
-    let (identity, to_child) = (FrameOrientation::identity(), transform.rotation.inverse());
-    let of_child = ToWorkAxes::new(to_child, identity);
-    let (to_parent, work, child_to_work) = match axes {
-        Axes::Body => {
-            let to_parent = transform.rotation_to_parent(parent_side.matrix());
-            (to_parent, of_child, identity)
-        }
-        Axes::Inertial => {
-            let child = parent_side.then(transform.rotation);
-            let to_parent = Rotation::from_matrix(identity.matrix());
-            (to_parent, ToWorkAxes::new(parent_side, child), child)
-        }
-    };
+    let HingeAxes { to_parent, to_work, to_child, child_to_work } =
+        HingeAxes::of(axes, parent_side, &transform);
     let offset = parent_side.matrix() * transform.offset;
     let arm = part_to_work.matrix() * (from_origin - point) + offset;
-    let subspace = transform.subspace(&work);
+    let subspace = transform.subspace(&to_work);
     let relative_velocity = hinge::combine(subspace.iter(), v);
-    let hinge_bias = transform.bias_acceleration(&subspace, v, &work);
+    let hinge_bias = transform.bias_acceleration(&subspace, v, &to_work);
     let mut in_hinge =
         hinge_bias + coriolis_acceleration(to_parent.rotate_back(omega), relative_velocity);
     let on_parent = arm.centripetal_by_products(omega);
-    let displaced = displacement.map(|along| hinge::displaced(&hinge.kind, q, along));
-    let q = displaced.as_deref().unwrap_or(q);
-    let passives = hinge::passive_elements(hinge, values, q, v, context.implicit);
+    let passives = passives(context, index);
     let basis = match context.prescribed_accelerations(index) {
         Some(accelerations) => {
             in_hinge = in_hinge + hinge::combine(subspace.iter(), accelerations);
@@ -175,8 +162,8 @@ pub fn hinge_kinematics<S: Scalar>(
         arm,
         offset,
         subspace,
-        aligned_subspace: transform.subspace(&of_child),
-        transform: (transform, work),
+        aligned_subspace: transform.subspace(&to_child),
+        transform: (transform, to_work),
         basis,
         passives,
         efforts,
@@ -186,6 +173,52 @@ pub fn hinge_kinematics<S: Scalar>(
         bias_acceleration: BiasAcceleration { on_parent, in_hinge },
         child_to_work,
     }
+}
+
+/// The rotations between the axes of a hinge.
+struct HingeAxes<S> {
+    /// From the child's work axes to those of the parent.
+    to_parent: Rotation<S>,
+    /// From the aligned axes of both sides to the child's work axes.
+    to_work: ToWorkAxes<S>,
+    /// From the aligned axes of both sides to aligned child axes.
+    to_child: ToWorkAxes<S>,
+    /// From aligned child axes to the child's work axes.
+    child_to_work: FrameOrientation<S>,
+}
+
+impl<S: Scalar> HingeAxes<S> {
+    /// Returns the rotations; `parent_side` is from aligned parent axes to the parent's work axes.
+    fn of(
+        axes: Axes,
+        parent_side: FrameOrientation<S>,
+        transform: &HingeTransform<S>,
+    ) -> HingeAxes<S> {
+        let (identity, inverse) = (FrameOrientation::identity(), transform.rotation.inverse());
+        let to_child = ToWorkAxes::new(inverse, identity);
+        let (to_parent, to_work, child_to_work) = match axes {
+            Axes::Body => {
+                let to_parent = transform.rotation_to_parent(parent_side.matrix());
+                (to_parent, to_child, identity)
+            }
+            Axes::Inertial => {
+                let child = parent_side.then(transform.rotation);
+                let to_parent = Rotation::from_matrix(identity.matrix());
+                (to_parent, ToWorkAxes::new(parent_side, child), child)
+            }
+        };
+        HingeAxes { to_parent, to_work, to_child, child_to_work }
+    }
+}
+
+/// Returns the passive elements of a hinge, at a displacement from its coordinates if one is given.
+fn passives<S: Scalar>(context: &EvalContext<S>, index: HingeId) -> PassiveElements<S> {
+    let hinge = &context.chain.hinges[index];
+    let (q, v) = (context.coordinates(index), context.rates(index));
+    let displaced =
+        context.displacement(index).map(|along| hinge::displaced(&hinge.kind, q, along));
+    let q = displaced.as_deref().unwrap_or(q);
+    hinge::passive_elements(hinge, context.values, q, v, context.implicit)
 }
 
 /// Returns the Coriolis terms `[2 Ω_p × v_rel; Ω_p × ω_rel]`, as in [P, Eqs. (13), (36)].
