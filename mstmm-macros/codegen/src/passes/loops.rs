@@ -5,7 +5,16 @@ use super::linearize::Linearizer;
 use super::{LoopId, Region};
 use crate::expr::{Edge, NodeId};
 use crate::function;
-use crate::program::{Block, BlockId, CarriedValue, LoopBlock, ValueId};
+use crate::ids::SymbolId;
+use crate::program::{Block, BlockId, CarriedValue, LoopBlock, Slot, ValueId};
+
+/// What a loop reads in each repetition.
+struct LoopReads {
+    unknowns: Vec<(SymbolId, ValueId)>,
+    slots: Vec<Slot>,
+    /// The values of earlier loops, by the block of the loop.
+    loads: Vec<(BlockId, Vec<ValueId>)>,
+}
 
 impl<'a> Linearizer<'a> {
     /// Adds a loop to the program, unless it computes nothing.
@@ -26,24 +35,8 @@ impl<'a> Linearizer<'a> {
         {
             return;
         }
-        let mut loads: Vec<(BlockId, Vec<ValueId>)> = Vec::new();
-        let (mut unknowns, mut slots) = (Vec::new(), Vec::new());
-        for node in self.read_by(region, loop_, &pivots) {
-            if self.is_slot(node) {
-                slots.extend(self.slots.get(&node).cloned());
-                continue;
-            }
-            let symbol = self.graph.symbol_of(node);
-            let unknown = symbol.filter(|&symbol| self.function.unknowns.get(symbol).is_some());
-            match (unknown, self.regions.region(node)) {
-                (Some(unknown), Region::Loop(_)) => unknowns.push((unknown, self.value(node))),
-                (None, Region::Loop(from)) if from != id => {
-                    self.load(node, self.blocks[&from], &mut loads);
-                }
-                _ => {}
-            }
-        }
-        unknowns.sort_unstable();
+        let nodes = self.read_by(region, loop_, &pivots);
+        let LoopReads { unknowns, slots, loads } = self.by_source(id, nodes);
         let carries = loop_.carries.iter().map(|carry| CarriedValue {
             exit: self.carried(carry.exit),
             phi: self.carried(carry.phi),
@@ -102,6 +95,29 @@ impl<'a> Linearizer<'a> {
         read.sort_unstable();
         read.dedup();
         read
+    }
+
+    /// Groups the nodes that a loop reads by their source. Earlier loops store the values that they have computed.
+    fn by_source(&mut self, id: LoopId, nodes: Vec<NodeId>) -> LoopReads {
+        let mut loads: Vec<(BlockId, Vec<ValueId>)> = Vec::new();
+        let (mut unknowns, mut slots) = (Vec::new(), Vec::new());
+        for node in nodes {
+            if self.is_slot(node) {
+                slots.extend(self.slots.get(&node).cloned());
+                continue;
+            }
+            let symbol = self.graph.symbol_of(node);
+            let unknown = symbol.filter(|&symbol| self.function.unknowns.get(symbol).is_some());
+            match (unknown, self.regions.region(node)) {
+                (Some(unknown), Region::Loop(_)) => unknowns.push((unknown, self.value(node))),
+                (None, Region::Loop(from)) if from != id => {
+                    self.load(node, self.blocks[&from], &mut loads);
+                }
+                _ => {}
+            }
+        }
+        unknowns.sort_unstable();
+        LoopReads { unknowns, slots, loads }
     }
 
     /// Loads a value that an earlier loop has computed in the same repetition.
