@@ -141,6 +141,10 @@ fn fields_fit_their_group() {
             "the rotation of an elastic hinge is given by angles: write `rpy(roll, pitch, yaw)`",
         )],
     );
+}
+
+#[test]
+fn limits_fit_their_group() {
     expect_hinge(
         "pin",
         "limits = 3; limit_stiffness = 1;",
