@@ -1,6 +1,6 @@
 //! The motions that the regressor of a chain in space is made of.
 //!
-//! An entry of the regressor is the power of a wrench on a virtual motion (see [`super::regressor`]). The
+//! An entry of the regressor is the power of a wrench on a virtual motion (see [`mod@super::regressor`]). The
 //! wrench depends on the body and the parameter, the virtual motion on the body and the rate. In inertial
 //! axes, about one point, the virtual motions of a rate are the same for all bodies outboard of it. So a
 //! regressor follows from one column for each rate and from the pose and the motion of each body, and the

@@ -23,7 +23,7 @@ const ELEMENTS: usize = 100;
 const CUT_SHORT: usize = 3;
 
 /// The smallest relative pivot of an independent constraint. In a pose that is closed within
-/// [`CLOSED`], a redundant constraint leaves the square of that, and rounding errors: far less. A
+/// `dry_run::CLOSED`, a redundant constraint leaves the square of that, and rounding errors: far less. A
 /// linkage whose smallest singular value is a thousandth of its largest leaves a millionth.
 const INDEPENDENT: f64 = 1e-10;
 
