@@ -6,6 +6,7 @@ use crate::differences::Direction;
 use crate::products::push;
 use crate::samples::{Kind, Sample, changed_samples, largest, times};
 use mstmm_codegen::compile::outputs;
+use mstmm_codegen::ids::{IdVec, ParameterId};
 use mstmm_codegen::model::{
     Answer, Chain, Drive, Effort, InputKind, Layout, Parameter, Passive, Source, Symbol, Value,
 };
@@ -45,7 +46,7 @@ fn weighed(mut chain: Chain) -> Chain {
 }
 
 struct Scale {
-    parameters: Vec<Parameter>,
+    parameters: IdVec<ParameterId, Parameter>,
 }
 
 impl Scale {
@@ -53,9 +54,9 @@ impl Scale {
         if value.is_zero() {
             return;
         }
-        let index = self.parameters.len();
-        let name = Ident::new(&format!("scaled{index}"), Span::call_site());
-        let default = std::mem::replace(value, Value::Symbol(Symbol::Parameter(index)));
+        let id = ParameterId(self.parameters.len());
+        let name = Ident::new(&format!("scaled{}", id.0), Span::call_site());
+        let default = std::mem::replace(value, Value::Symbol(Symbol::Parameter(id)));
         self.parameters.push(Parameter { name, default, unit: String::new(), repetitions: None });
     }
 
