@@ -108,8 +108,11 @@ macro_rules! common_tests {
                 assert_eq!(refused(0.0, 1.0), too_small);
                 let (mut late, mut method) = (start.clone(), $method::new(1e-10));
                 late.t = 1e9;
-                let refused = method.advance_to(&chain, &mut late, 2e9, |_, _| 0.0);
-                assert_eq!(refused, Err(too_small));
+                // Also if the end is the next time that a number can have.
+                for end in [2e9, 1e9_f64.next_up()] {
+                    let refused = method.advance_to(&chain, &mut late, end, |_, _| 0.0);
+                    assert_eq!(refused, Err(too_small));
+                }
                 let mut never = State { t: f64::NAN, ..start.clone() };
                 let refused = $method::new(0.1).advance_to(&chain, &mut never, 1.0, |_, _| 0.0);
                 assert_eq!(refused, Err(Error::NotFinite(Origin::Time)));

@@ -109,7 +109,7 @@ impl<T: Scalar> Pace<T> {
     }
 
     /// Returns the next step towards `end`: a step of full size, or the time left if that is shorter, or longer by no
-    /// more than the rounding of the times. The lane with the largest value decides.
+    /// more than the rounding of the times and the step. The lane with the largest value decides.
     fn towards(&self, now: T, end: T::Real) -> (Span<T>, Clock<T>) {
         let time = now.max_lane();
         let left = (end - time) - self.clock.owed(now).max_lane();
@@ -117,6 +117,7 @@ impl<T: Scalar> Pace<T> {
         let latest = if end.abs() > time.abs() { end.abs() } else { time.abs() };
         // The rounding of `end` and of the time at which the count started.
         let rounding = T::Real::epsilon() * latest;
+        let rounding = if rounding < size { rounding } else { size };
         if left.abs() <= size + rounding {
             let clock = Clock { time: T::splat(end), lost: T::default() };
             (Span { step: T::splat(left), end: clock.time }, clock)
