@@ -251,8 +251,10 @@ impl<T: Scalar, const X: usize, const U: usize> Problem<'_, T, X, U> {
         scale_by(&mut r, inverse);
         make_symmetric(&mut r);
         match solve_positive_definite(&r.into(), &transposed(self.b).into()) {
-            Ok(_) => Error::NotFinite(Origin::Result),
-            Err(_) => Error::InvalidParameter { name: "r", reason: "must be positive definite" },
+            Err(Error::SingularMatrix) => {
+                Error::InvalidParameter { name: "r", reason: "must be positive definite" }
+            }
+            _ => Error::NotFinite(Origin::Result),
         }
     }
 

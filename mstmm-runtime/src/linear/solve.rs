@@ -3,6 +3,7 @@
 //! Rows are exchanged by masks and not by branches, so every lane has its own pivots.
 
 use super::Columns;
+use crate::origin::{Origin, of_argument};
 use crate::{Error, Mask, Scalar};
 use core::mem::take;
 use core::slice::from_mut;
@@ -12,14 +13,15 @@ use nalgebra::SMatrix;
 ///
 /// # Errors
 /// [`Error::SingularMatrix`] if A is singular up to rounding, in any lane: a pivot is not larger than N ε times the
-/// largest entry of its row, or not finite.
+/// largest entry of its row, or not finite. [`Error::NotFinite`] if an entry of the result is not finite: an entry of A or B is
+/// not, or the result overflows.
 #[doc(alias("LU", "linear system", "inverse"))]
 pub fn solve<T: Scalar, const N: usize, const M: usize>(
     a: &SMatrix<T, N, N>,
     b: &SMatrix<T, N, M>,
 ) -> Result<SMatrix<T, N, M>, Error> {
     let (x, []) = solve_both(&a.data.0, &b.data.0, &[])?;
-    Ok(x.into())
+    checked(x.into(), a, b)
 }
 
 /// Returns X with A X = B for a symmetric positive definite A, by elimination without exchanges of rows.
@@ -28,7 +30,8 @@ pub fn solve<T: Scalar, const N: usize, const M: usize>(
 ///
 /// # Errors
 /// [`Error::SingularMatrix`] if A is not positive definite up to rounding, in any lane: a pivot is not larger than N ε
-/// times its diagonal entry, or not finite.
+/// times its diagonal entry, or not finite. [`Error::NotFinite`] if an entry of the result is not finite: an entry of A or B is
+/// not, or the result overflows.
 #[doc(alias("Cholesky", "LDLT", "LLT", "inverse"))]
 pub fn solve_positive_definite<T: Scalar, const N: usize, const M: usize>(
     a: &SMatrix<T, N, N>,
@@ -40,7 +43,25 @@ pub fn solve_positive_definite<T: Scalar, const N: usize, const M: usize>(
     }
     eliminate::<false, T, N, M, 0>(&mut rows)?;
     let (x, []) = columns_of(&rows);
-    Ok(x.into())
+    checked(x.into(), a, b)
+}
+
+/// Returns X of A X = B if it is finite.
+///
+/// # Errors
+/// [`Error::NotFinite`] of an entry of A or B, or of a result that overflows.
+fn checked<T: Scalar, const N: usize, const M: usize>(
+    x: SMatrix<T, N, M>,
+    a: &SMatrix<T, N, N>,
+    b: &SMatrix<T, N, M>,
+) -> Result<SMatrix<T, N, M>, Error> {
+    if x.iter().all(|entry| entry.is_finite().all()) {
+        return Ok(x);
+    }
+    Err(Error::NotFinite(match of_argument("a", a.as_slice()) {
+        Origin::Result => of_argument("b", b.as_slice()),
+        of_a => of_a,
+    }))
 }
 
 /// Returns A⁻¹ B and A⁻¹ C.

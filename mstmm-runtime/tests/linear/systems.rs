@@ -2,8 +2,9 @@
 
 use super::{Random, converted};
 use mstmm_runtime::Error;
+use mstmm_runtime::description::Origin;
 use mstmm_runtime::linear::{solve, solve_positive_definite};
-use mstmm_runtime::nalgebra::{Matrix2, Matrix3, SMatrix};
+use mstmm_runtime::nalgebra::{Matrix2, Matrix3, SMatrix, Vector2};
 
 /// The largest residual of A X = B relative to N · |A| |X|, the sum of its terms, in units of ε.
 fn residual<const N: usize, const M: usize>(
@@ -105,4 +106,18 @@ fn lanes_have_their_own_pivots() -> Result<(), Error> {
         assert_eq!(solve(&lanes(singular), &lanes(b)), Err(Error::SingularMatrix));
     }
     Ok(())
+}
+
+#[test]
+fn results_that_are_not_finite_are_errors() {
+    let (a, b) = (Matrix2::new(2.0, 0.0, 0.0, 3.0), Vector2::new(1.0, 1.0));
+    let both = |a: Matrix2<f64>, b: Vector2<f64>| [solve(&a, &b), solve_positive_definite(&a, &b)];
+    for bad in [f64::NAN, f64::INFINITY] {
+        let argument = Error::NotFinite(Origin::Argument { name: "b", index: 1 });
+        assert_eq!(both(a, Vector2::new(1.0, bad)), [Err(argument); 2]);
+    }
+    let of_a = Matrix2::new(2.0, f64::NAN, f64::NAN, 3.0);
+    assert!(both(of_a, b).iter().all(Result::is_err));
+    let overflows = Error::NotFinite(Origin::Result);
+    assert_eq!(both(a * 1e-10, b * 1e308), [Err(overflows); 2]);
 }
