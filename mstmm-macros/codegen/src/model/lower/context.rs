@@ -30,6 +30,8 @@ pub(super) struct Context<'a> {
     pub requirements: Vec<Requirement>,
     /// The squared lengths of quaternions, each once, as far as they are not known.
     pub quaternions: Vec<Value>,
+    /// Whether the field that is read may be `input`.
+    pub may_be_input: bool,
     /// Fields that have been read.
     read: HashSet<*const FieldSyntax>,
     /// Fields with a reported error: several hinges may share a field.
@@ -85,6 +87,7 @@ impl<'a> Context<'a> {
             complete,
             requirements: Vec::new(),
             quaternions: Vec::new(),
+            may_be_input: false,
             read: HashSet::new(),
             faulty: HashSet::new(),
         }
@@ -133,6 +136,7 @@ impl<'a> Context<'a> {
         }
         let requirements = self.requirements.len();
         let value = read(self, syntax);
+        self.may_be_input = false;
         if self.read.contains(&std::ptr::from_ref(field)) {
             self.requirements.truncate(requirements);
         }
@@ -141,6 +145,19 @@ impl<'a> Context<'a> {
             self.faulty.insert(field);
         }
         value.map(|value| Spanned { value, at: syntax.extent() })
+    }
+
+    /// Returns the message for `input` in a number.
+    pub fn not_input(&self) -> &'static str {
+        if !self.later_parameters.is_empty() {
+            return "the default of a parameter cannot be `input`: write a number, which a program can change";
+        }
+        match self.may_be_input {
+            true => "`input` cannot be part of a formula: write it as the whole value of a field",
+            false => {
+                "this value cannot be `input`: write a number, or a `param` that a program can change"
+            }
+        }
     }
 
     /// Returns the value of a Rust path; equal paths are the same constant.

@@ -173,9 +173,7 @@ impl Context<'_> {
             return Some((self.constant(quote::ToTokens::to_token_stream(name)), Measure::Open));
         }
         if text == "input" {
-            let message =
-                "`input` cannot be part of a formula: write it as the whole value of a field";
-            return self.refuse(name, message);
+            return self.refuse(name, self.not_input());
         }
         if unit::is_symbol(&text) {
             return self.refuse(name, format!("`{text}` is a unit: write it after a number"));

@@ -196,8 +196,9 @@ impl Context<'_> {
         )
     }
 
-    /// Returns whether this is the keyword `input`. A misspelt one is reported.
+    /// Returns whether this is the keyword `input`, which the field may be. A misspelt one is reported.
     pub fn asks_for_input(&mut self, syntax: &ValueSyntax) -> Option<bool> {
+        self.may_be_input = true;
         let Some(word) = syntax.word() else { return Some(false) };
         let text = word.to_string();
         let is_parameter = self.parameters.iter().any(|other| other.name == word);

@@ -243,7 +243,17 @@ fn input_is_a_whole_value() {
     expect(torque, "torque = input N*m;", &[("N*m", "`input` has no unit: remove the unit")]);
     let message = "`input` cannot be part of a formula: write it as the whole value of a field";
     expect(torque, "torque = 2 * input;", &[("input", message)]);
-    expect_mass("input", &[("input", message)]);
+    expect(torque, "torque = input + 1;", &[("input", message)]);
+    let message =
+        "this value cannot be `input`: write a number, or a `param` that a program can change";
+    for mass in ["input", "2 * input", "(input) + payload"] {
+        expect_mass(mass, &[("input", message)]);
+    }
+    expect(torque, "stiffness = input; torque = input;", &[("input", message)]);
+    expect("start = 30 deg", "start = input", &[("input", message)]);
+    let message =
+        "the default of a parameter cannot be `input`: write a number, which a program can change";
+    expect("= 0.5 kg", "= input", &[("input", message)]);
     expect(
         "[0, -9.8, 0] m/s^2",
         "Input",
