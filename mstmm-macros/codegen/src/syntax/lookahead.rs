@@ -3,6 +3,8 @@
 use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
+use super::other_programs::TURNED;
+use crate::diag::nearest;
 
 /// The words that an item can begin with.
 pub(super) const ITEMS: &[&str] = &["param", "body", "hinge", "load", "spring", "ground", "moving"];
@@ -25,6 +27,39 @@ pub(super) const HINGES: &[&str] = &[
     "floating",
     "elastic",
 ];
+
+/// The forms of an orientation.
+pub(super) const ORIENTATIONS: &[&str] = &["rpy", "quaternion"];
+
+/// Returns the keyword that the next word means after a value, if it is a word of other programs or misspelt: `turned`
+/// before an orientation, `about` before a reference point.
+pub(super) fn meant_after_value(input: &Cursor) -> Option<&'static str> {
+    let mut ahead = *input;
+    let word = ahead.ident()?;
+    if TURNED.iter().any(|other| word == other) {
+        return Some("turned").filter(|_| !ahead.peek_punct('='));
+    }
+    let is_point = ahead.peek_ident().is_some_and(|word| word == "input" || word == "com");
+    let keyword = match is_orientation(&ahead) {
+        true => "turned",
+        false if is_point => "about",
+        false => return None,
+    };
+    nearest(&word.to_string(), [keyword]).filter(|near| word != near)
+}
+
+/// Returns whether an orientation is next that is an angle in digits or a form.
+pub(super) fn is_orientation(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    if let Some(form) = ahead.ident() {
+        let is_known = ORIENTATIONS.iter().any(|known| form == known);
+        return is_known && ahead.peek_group(Delimiter::Parenthesis);
+    }
+    if !ahead.peek_pair('-', '>') {
+        ahead.punct('-');
+    }
+    ahead.literal().is_some()
+}
 
 /// Returns whether the next word can only be the beginning of an item.
 pub(super) fn begins_item(input: &Cursor) -> bool {

@@ -247,6 +247,10 @@ fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
         _ => return Err(Error::new(at, "expected a number")),
     };
     let value = digits.parse().map_err(|_| Error::new(at, "expected a number"))?;
+    if is_malformed(&suffix) {
+        let message = "this is not a number: a number is written as `15`, `1.5` or `1.5e-3`, and then its unit";
+        return Err(Error::new(at, message));
+    }
     if is_number_type(&suffix) {
         return Err(Error::new(at, "a number has no type suffix here: remove the suffix"));
     }
@@ -262,6 +266,12 @@ fn is_keyword(word: &Ident) -> bool {
 /// Returns whether a word may be in a path; Rust checks where `crate` is allowed.
 fn can_be_in_path(word: &Ident) -> bool {
     !is_keyword(word) || ["crate", "self", "super"].iter().any(|known| word == known)
+}
+
+/// Returns whether the letters after digits are part of a number with an error: an exponent without digits, or a product.
+fn is_malformed(suffix: &str) -> bool {
+    let rest = suffix.strip_prefix(['e', 'E', 'x', 'X']);
+    rest.is_some_and(|rest| rest.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 fn is_number_type(suffix: &str) -> bool {

@@ -5,7 +5,6 @@ use syn::{Error, Result};
 
 use super::cursor::Cursor;
 use super::lookahead;
-use super::other_programs::TURNED;
 use super::tree::{SpanRange, UnitFactorSyntax, UnitSyntax};
 
 /// Words that may follow a number and are no units.
@@ -70,8 +69,19 @@ fn check_single(input: &Cursor, unit: &UnitSyntax) -> Result<()> {
     if text.starts_with(char::is_uppercase) && text.len() > 2 {
         return Ok(());
     }
+    if unit.factors[0].symbol == "PI" {
+        return Err(Error::new(unit.factors[0].at, unit.factors[0].not_a_unit()));
+    }
     let message = format!("units multiply with `*`: `{}*{text}`", unit.text());
     Err(Error::new(next.span(), message))
+}
+
+impl UnitFactorSyntax {
+    /// Returns the message for a factor of a number that was read as a unit.
+    pub fn not_a_unit(&self) -> String {
+        let symbol = &self.symbol;
+        format!("`{symbol}` is not a unit: write `*` before it, as in `2 * {symbol}`")
+    }
 }
 
 impl UnitSyntax {
@@ -113,14 +123,13 @@ fn sign_before_unit(input: &mut Cursor) -> Option<i32> {
     Some(sign)
 }
 
-/// Returns whether the next word is in the place of a unit, known or not: it is no field, path or
-/// call.
+/// Returns whether the next word is in the place of a unit, known or not: it is no field, path,
+/// call or misspelt keyword.
 fn is_next(input: &Cursor) -> bool {
     let mut ahead = *input;
     !lookahead::begins_item(input)
-        && ahead
-            .ident()
-            .is_some_and(|word| !NOT_UNITS.iter().chain(TURNED).any(|other| word == other))
+        && ahead.ident().is_some_and(|word| NOT_UNITS.iter().all(|other| word != other))
+        && lookahead::meant_after_value(input).is_none()
         && !ahead.peek_punct('=')
         && !ahead.peek_pair(':', ':')
         && !ahead.peek_group(Delimiter::Parenthesis)

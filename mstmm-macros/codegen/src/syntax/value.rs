@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, Span};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::other_programs::TURNED;
+use super::lookahead::{self, ORIENTATIONS};
 use super::path::path_of_several;
 use super::tree::{
     ExprKind, ExprSyntax, FormSyntax, ListSyntax, OrientationSyntax, SpanRange, ValueSyntax,
@@ -62,6 +62,14 @@ pub(super) fn position(input: &mut Cursor) -> Result<ValueSyntax> {
     if input.peek_group(Delimiter::Bracket) {
         return vector(input).map(ValueSyntax::Vector);
     }
+    let mut ahead = *input;
+    let turned = ahead
+        .ident()
+        .filter(|word| word == "turned" || lookahead::meant_after_value(input) == Some("turned"));
+    if let Some(turned) = turned.filter(|_| lookahead::is_orientation(&ahead)) {
+        let message = "write a position before `turned`: zeros if the frame is only rotated";
+        return Err(Error::new(turned.span(), message));
+    }
     number::number(input).map(ValueSyntax::Number)
 }
 
@@ -100,15 +108,19 @@ pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
 
 /// Returns the error for an orientation that does not begin with `turned`.
 fn lacks_turned(input: &Cursor) -> Option<Error> {
-    let mut ahead = *input;
-    let word = ahead.ident()?;
-    let message = if ORIENTATIONS.iter().any(|form| word == form) && is_form(input) {
-        format!("write `turned` before an orientation: `turned {word}(…)`")
-    } else if TURNED.iter().any(|other| word == other) && !ahead.peek_punct('=') {
-        format!("unknown word `{word}`; did you mean `turned`?")
-    } else {
-        return None;
-    };
+    let word = input.peek_ident()?;
+    if ORIENTATIONS.iter().any(|form| word == form) && is_form(input) {
+        let message = format!("write `turned` before an orientation: `turned {word}(…)`");
+        return Some(Error::new(word.span(), message));
+    }
+    misspelt(input, "turned")
+}
+
+/// Returns the error for another word in the place of this keyword.
+fn misspelt(input: &Cursor, keyword: &str) -> Option<Error> {
+    let word = input.peek_ident()?;
+    lookahead::meant_after_value(input).filter(|meant| *meant == keyword)?;
+    let message = format!("unknown word `{word}`; did you mean `{keyword}`?");
     Some(Error::new(word.span(), message))
 }
 
@@ -137,13 +149,10 @@ pub(super) fn place(input: &mut Cursor) -> Option<Span> {
 /// Parses `about word`, if it is next.
 fn about(input: &mut Cursor) -> Result<Option<Ident>> {
     match input.word("about") {
-        None => Ok(None),
+        None => misspelt(input, "about").map_or(Ok(None), Err),
         Some(_) => Ok(Some(input.ident().ok_or_else(|| input.unexpected("`input` or `com`"))?)),
     }
 }
-
-/// The forms of an orientation.
-const ORIENTATIONS: &[&str] = &["rpy", "quaternion"];
 
 /// How a matrix is written.
 const MATRIX: &str = "matrix([xx, xy, xz], [yx, yy, yz], [zx, zy, zz])";

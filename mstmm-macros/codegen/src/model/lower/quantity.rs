@@ -48,8 +48,17 @@ impl Context<'_> {
             || symbol == "PI";
         let hint = unit::hint(symbol);
         let looks_like_constant = symbol.len() > 1 && !symbol.contains(char::is_lowercase);
+        let is_first = unit.factors.first().is_some_and(|first| std::ptr::eq(first, unknown));
         let message = if is_name || (hint.is_empty() && looks_like_constant) {
-            format!("a unit ends a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
+            match (is_first, unknown.power < 0) {
+                (true, false) => unknown.not_a_unit(),
+                (_, true) => {
+                    format!("a unit ends a product: write `(2 m) / {symbol}`, not `2 m / {symbol}`")
+                }
+                _ => {
+                    format!("a unit ends a product: write `(2 m) * {symbol}`, not `2 m * {symbol}`")
+                }
+            }
         } else {
             format!("unknown unit `{symbol}`{hint}")
         };

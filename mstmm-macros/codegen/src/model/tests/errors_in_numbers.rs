@@ -32,6 +32,16 @@ fn pi_is_in_radians() {
 }
 
 #[test]
+fn numbers_are_well_formed() {
+    let malformed =
+        "this is not a number: a number is written as `15`, `1.5` or `1.5e-3`, and then its unit";
+    for number in ["1e", "1E", "2x3", "2.5x", "2e"] {
+        expect_mass(&format!("{number} kg"), &[(number, malformed)]);
+        expect_mass(number, &[(number, malformed)]);
+    }
+}
+
+#[test]
 fn numbers_begin_with_a_digit() {
     expect_mass(".5 kg", &[(".", "write a digit before the point, as in `0.5`")]);
     expect("[0, -9.8, 0] m/s^2", "[0, -.8, 0] m/s^2", &[(".", "write a digit …")]);
@@ -60,11 +70,24 @@ fn a_unit_closes_its_product() {
     expect_mass("2 kg * ratio", &[("ratio", message)]);
     let message = "a unit ends a product: write `(2 m) * MASS`, not `2 m * MASS`";
     expect_mass("2 kg * MASS", &[("MASS", message)]);
+    let message = "a unit ends a product: write `(2 m) / ratio`, not `2 m / ratio`";
+    expect_mass("2 kg / ratio", &[("ratio", message)]);
     let message = "this expression is a mass already: …";
     expect_mass("(2 kg) g", &[("kg", message)]);
     expect_mass("payload kg", &[("payload", message)]);
     let message = "this expression is a length already: …";
     expect("output = [1, 0, 0] m", "output = [1 mm, 0, 0] m", &[("mm", message)]);
+}
+
+#[test]
+fn factors_are_no_units() {
+    let message =
+        |name: &str| format!("`{name}` is not a unit: write `*` before it, as in `2 * {name}`");
+    expect_mass("2 ratio", &[("ratio", &message("ratio"))]);
+    expect_mass("2 MASS", &[("MASS", &message("MASS"))]);
+    expect_mass("2 PI", &[("PI", &message("PI"))]);
+    expect_mass("2PI", &[("2PI", &message("PI"))]);
+    expect("start = 30 deg", "start = 2 PI rad", &[("PI", &message("PI"))]);
 }
 
 #[test]
@@ -203,7 +226,7 @@ fn units_have_no_parentheses() {
     expect(gravity, "[0, -9.8, 0] (m/s^2)", &[("(m/s^2)", &message("m/s^2"))]);
     expect_mass("1 N*m/(rad/s)^2", &[("(rad/s)", &message("N*m*s^2/rad^2"))]);
     // Not a unit.
-    let closes = "a unit ends a product: write `(2 m) * payload`, not `2 m * payload`";
+    let closes = "a unit ends a product: write `(2 m) / payload`, not …";
     expect_mass("1 kg / (payload)", &[("payload", closes)]);
     let closes = "a unit ends a product: write `(… km/h) / …` to continue it";
     expect_mass("1 km/h / (3 m)", &[("/", closes)]);

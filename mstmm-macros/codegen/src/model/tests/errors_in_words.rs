@@ -199,6 +199,44 @@ fn orientations_begin_with_turned() {
 }
 
 #[test]
+fn keywords_after_values_may_be_misspelt() {
+    let meant =
+        |word: &str, keyword: &str| format!("unknown word `{word}`; did you mean `{keyword}`?");
+    for (vector, angle) in [("[1, 0, 0]", "30 deg"), ("[1, 0, 0] m", "rpy(0, 0, 90) deg")] {
+        for word in ["turnd", "turend", "Turned"] {
+            let output = format!("output = {vector} {word} {angle};");
+            expect("output = [1, 0, 0] m;", &output, &[(word, &meant(word, "turned"))]);
+        }
+    }
+    for inertia in ["diag(1, 1, 1) kg*m^2", "diag(1, 1, 1)", "3 kg*m^2", "3"] {
+        for word in ["abuot", "abot"] {
+            let inertia = format!("{inertia} {word} com");
+            let message = meant(word, "about");
+            expect("diag(0, 1/6, 1/6) kg*m^2 about com", &inertia, &[(word, &message)]);
+        }
+    }
+    let route = "ground -> pin(z) shoulder";
+    let ground = "ground turnd rpy(0, 0, 90) deg -> pin(z) shoulder";
+    expect(route, ground, &[("turnd", &meant("turnd", "turned"))]);
+}
+
+#[test]
+fn an_orientation_follows_a_position() {
+    let message = "write a position before `turned`: zeros if the frame is only rotated";
+    for turned in ["turned", "rotated", "turnd"] {
+        for angle in ["30 deg", "-30 deg", "rpy(0, 0, 90) deg"] {
+            let output = format!("output = {turned} {angle};");
+            expect("output = [1, 0, 0] m;", &output, &[(turned, message)]);
+        }
+    }
+    expect(
+        "ground -> pin(z) shoulder",
+        "ground at turned rpy(0, 0, 90) deg -> pin(z) shoulder",
+        &[("turned", message)],
+    );
+}
+
+#[test]
 fn positions_of_the_ground_begin_with_at() {
     let message = "write `at` before the position: `ground at …`";
     for turned in ["", "turned rpy(0, 0, 90) deg"] {
