@@ -83,6 +83,9 @@ fn value_of(name: &Ident, input: &mut Cursor) -> Result<ValueSyntax> {
     value(input)
 }
 
+/// The fields whose values are single words.
+const ONE_WORD: &[&str] = &["on", "axes", "method"];
+
 /// State of the recovery from wrong ends of fields.
 #[derive(Default)]
 struct Ends {
@@ -115,7 +118,7 @@ impl Ends {
         };
         match value {
             Ok(Some(value)) => {
-                let value = self.end(&value, input, diagnostics).then_some(value);
+                let value = self.end(&name, &value, input, diagnostics).then_some(value);
                 self.lost = false;
                 return FieldSyntax { name, value };
             }
@@ -135,6 +138,7 @@ impl Ends {
     /// are kept.
     fn end(
         &mut self,
+        name: &Ident,
         value: &ValueSyntax,
         input: &mut Cursor,
         diagnostics: &mut Diagnostics,
@@ -157,7 +161,11 @@ impl Ends {
                 return false;
             }
             if value.word().is_some() && after.peek_ident().is_some() && !begins_field(&after) {
-                diagnostics.error(at, "write several words in brackets: `[…, …]`");
+                let message = match ONE_WORD.iter().any(|field| name == field) {
+                    true => format!("`{name}` is one word: remove the others"),
+                    false => "write several words in brackets: `[…, …]`".to_owned(),
+                };
+                diagnostics.error(at, message);
                 self.skip(input);
                 return false;
             }

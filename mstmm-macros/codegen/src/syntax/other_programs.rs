@@ -17,7 +17,11 @@ const ITEMS: &[(&str, &str)] = &[
     ("loop", LOOPS),
     ("motor", MOTORS),
     ("actuator", MOTORS),
-    ("damper", "write a damper as the field `damping` of a hinge or of a `spring`"),
+    (
+        "damper",
+        "write a damper as the field `damping` of a hinge, or as a `spring` with `damping` and \
+         `stiffness = 0`",
+    ),
     (
         "sensor",
         "a chain has no sensors: the results have the positions, velocities and forces at all \
@@ -36,7 +40,8 @@ const LOOPS: &str = "a closed chain is a first route that ends as it began, `gro
                      in `mstmm::tutorial::several_loops`";
 
 /// The message for a motor.
-const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge";
+const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge; an actuator between two points is a \
+                      `spring` with `force = input`";
 
 /// The message for a coupling of two hinges.
 const GEARS: &str = "a chain has no gears and mimic joints between two hinges: give both motors whose efforts hold the ratio; \

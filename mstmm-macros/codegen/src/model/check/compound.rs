@@ -12,6 +12,13 @@ type Vector = Vec3<f64>;
 
 /// Returns the end of a message: what to write instead of hinges in a row.
 pub(super) fn advice(hinges: &[&RouteItem], defaults: &[Option<f64>]) -> String {
+    let is_weld = |item: &&&RouteItem| match item {
+        RouteItem::Hinge { hinge_kind: Some(kind), .. } => kind.value == HingeKind::Weld,
+        _ => false,
+    };
+    if let Some(weld) = hinges.iter().find(is_weld).and_then(|weld| weld.name()) {
+        return format!("; remove weld `{weld}`: it has no effect next to a hinge");
+    }
     match compound(hinges, defaults) {
         Some(kind) => format!("; write one hinge `{kind}` instead"),
         None => "; add a body there, with a small mass".into(),

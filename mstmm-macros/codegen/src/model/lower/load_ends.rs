@@ -10,11 +10,17 @@ use super::start::{self, Seeds};
 use super::vector::zeros;
 use crate::model::{BodyPoint, Dimension, Value};
 use crate::syntax::{
-    BlockKeyword, ExprKind, FieldSyntax, ListSyntax, PathSyntax, SpanRange, ValueSyntax,
+    BlockKeyword, ExprKind, ExprSyntax, FieldSyntax, ListSyntax, PathSyntax, ValueSyntax,
 };
 
 /// The message for a spring on several bodies.
 const BETWEEN_BODIES: &str = "a spring is between two bodies with `on = a.point; to = b.point;`";
+
+/// The message for a force on the ground.
+const FIXED: &str = "the ground is fixed: name a body on a route";
+
+/// The message for the ground in place of a point.
+const ON_GROUND: &str = "write the point on the ground: `to = [x, y, z] m`, inertial frame";
 
 /// The other end of a spring.
 pub(crate) enum SpringTo {
@@ -58,6 +64,9 @@ pub(super) fn on(
     context: &mut Context,
 ) -> Option<OnBody> {
     match syntax {
+        ValueSyntax::PlaceOn(body, _) if body == "ground" => {
+            return context.refuse(body, FIXED);
+        }
         ValueSyntax::PlaceOn(body, extent) => {
             let message = format!("write a point after the body, as in `on = {body}.point;`");
             return context.refuse(*extent, message);
@@ -74,6 +83,11 @@ pub(super) fn on(
         }
         ValueSyntax::Path(path) => return on_path(path, scope, resolved, context),
         _ => {}
+    }
+    if let ValueSyntax::Vector(ListSyntax { entries, extent, .. }) = syntax
+        && let [ExprSyntax { kind: ExprKind::Name(body), .. }] = &entries[..]
+    {
+        return context.refuse(*extent, format!("write the body without brackets: `on = {body}`"));
     }
     let Some(word) = syntax.word() else {
         let found = syntax.described();
@@ -94,9 +108,7 @@ pub(super) fn on(
             let message = format!("`{word}` is a hinge: name the body that the force acts on");
             context.refuse(word, message)
         }
-        _ if word == "ground" => {
-            context.refuse(word, "the ground is fixed: name a body on a route")
-        }
+        _ if word == "ground" => context.refuse(word, FIXED),
         _ => {
             let instance = resolved.names.instance(resolved.written, scope, names);
             if let Some(instance) = instance {
@@ -212,6 +224,9 @@ pub(super) fn spring_to(
             return Some(SpringTo::Previous { point: point?, first: first? });
         }
         ValueSyntax::Path(path) => return to_body(path, scope, target, context),
+        ValueSyntax::PlaceOn(body, extent) if body == "ground" => {
+            return context.refuse(*extent, ON_GROUND);
+        }
         ValueSyntax::PlaceOn(body, extent) => {
             let message = format!("write a point after the body, as in `to = {body}.point;`");
             return context.refuse(*extent, message);
@@ -222,8 +237,7 @@ pub(super) fn spring_to(
         return context.read_vector(syntax, LENGTH).map(SpringTo::Ground);
     };
     if word == "ground" {
-        let message = "write the point on the ground: `to = [x, y, z] m`, inertial frame";
-        return context.refuse(SpanRange::from(word), message);
+        return context.refuse(word, ON_GROUND);
     }
     let item = resolved.names.item(resolved.written, scope, std::slice::from_ref(word));
     if let Some(item) = item.filter(|&item| resolved.items[item].is_body()) {

@@ -153,9 +153,17 @@ fn a_spring_is_between_two_points() {
         "crank at tip",
         "write a point after the body, …",
     );
-    expect_spring("on = crank; to = ground;", "ground", "write the point on the ground: …");
+    for to in ["ground", "ground at [1, 0, 0] m"] {
+        let message = "write the point on the ground: …";
+        expect_spring(&format!("on = crank; to = {to};"), to, message);
+    }
     let ground = "the ground is fixed: name a body on a route";
     expect_spring("on = ground; to = [0, 0, 0];", "ground", ground);
+    expect_spring("on = ground at [1, 0, 0] m; to = [0, 0, 0];", "ground", ground);
+    let brackets = "write the body without brackets: `on = crank`";
+    expect_spring("on = [crank]; to = [0, 0, 0];", "[crank]", brackets);
+    let one = "`on` is one word: remove the others";
+    expect_spring("on = crank, bar; to = [0, 0, 0];", ",", one);
     let no_place = "`crank` has no place `tip`; it has `input` and `output`";
     expect_spring("on = crank.tip; to = [0, 0, 0];", "tip", no_place);
     expect_spring("on = bar; to = crank.tip;", "tip", no_place);

@@ -21,6 +21,10 @@ fn hinges_in_a_row_may_be_one() {
     expect_row("pin(x) a -> pin(x) b", "b", &two(BODY_BETWEEN));
     expect_row("pin(x) a -> slider(y) b", "b", &two(BODY_BETWEEN));
     expect_row("ball a -> pin(y) b", "b", &two(BODY_BETWEEN));
+    let weld =
+        |name: &str| two(&format!("; remove weld `{name}`: it has no effect next to a hinge"));
+    expect_row("weld a -> pin(y) b", "b", &weld("a"));
+    expect_row("ball a -> weld b", "b", &weld("b"));
     let three = "hinges `a`, `b` and `c` have no body between them";
     let one = |kind: &str| format!("{three}; write one hinge `{kind}` instead");
     expect_row("pin(x) a -> pin(y) b -> pin(z) c", "b", &one("gimbal"));

@@ -147,8 +147,10 @@ fn items_of_other_programs_are_known() {
     expect_item("body Rod {", "link Rod {", "link", "body");
     expect_item("hinge wrist {", "joint wrist {", "joint", "hinge");
     expect_item("param ratio", "parameter ratio", "parameter", "param");
-    let motor = "write a motor as the field `torque` or `force` of its hinge";
-    let damper = "write a damper as the field `damping` of a hinge or of a `spring`";
+    let motor = "write a motor as the field `torque` or `force` of its hinge; an actuator between \
+                 two points is a `spring` with `force = input`";
+    let damper = "write a damper as the field `damping` of a hinge, or as a `spring` with \
+                  `damping` and `stiffness = 0`";
     let sensor = "a chain has no sensors: the results have the positions, velocities and forces \
                   at all points";
     let contact = "a chain has no contacts: compute the force at each step, and apply it by a \
