@@ -17,8 +17,6 @@ use crate::syntax::{BlockKeyword, BlockSyntax, FieldSyntax, SpanRange, ValueSynt
 pub(super) const FIELDS: &[&str] = &["mass", "com", "inertia", "output", "shape"];
 /// Its fields in a line chain, which has no rotations.
 const LINE_FIELDS: &[&str] = &["mass", "com", "output", "shape"];
-/// What messages list after the fields: a body has any number of points.
-const POINT: &str = "point name";
 
 /// A body type, as far as it is readable.
 pub(crate) struct BodyType<'a> {
@@ -142,7 +140,7 @@ fn body_type<'a>(
     }
     let mut fields = Fields::default();
     let owner = format!("body `{name}`{}", context.of_chain());
-    let listed = [field_names(context.space), &[POINT]].concat();
+    let listed = [field_names(context.space), &[fields::POINT]].concat();
     for field in &block.fields {
         fields.add(field, &listed, &FieldOwner::of_block(&owner), context);
     }

@@ -66,7 +66,8 @@ impl<'a> Fields<'a> {
                 Some(meant) => format!("; did you mean `{meant}`?"),
                 None if allowed.is_empty() => String::new(),
                 None => {
-                    let allowed: Vec<_> = allowed.iter().map(|name| format!("`{name}`")).collect();
+                    let allowed: Vec<_> =
+                        allowed.iter().map(|known| listed_as(known, field)).collect();
                     format!("; it has {}", listed(&allowed))
                 }
             };
@@ -139,7 +140,6 @@ const COUNTERPARTS: &[(&str, &str)] = &[
     ("geom", "shape"),
     ("mesh", "shape"),
     ("end", "output"),
-    ("tip", "output"),
     ("body", "on"),
     ("bodies", "on"),
     ("between", "on"),
@@ -163,6 +163,19 @@ pub(crate) fn meant<'k>(name: &str, allowed: &[&'k str]) -> Option<&'k str> {
     counterpart
         .or_else(|| find(name.strip_prefix("turning_")?))
         .or_else(|| nearest(name, allowed.iter().copied()))
+}
+
+/// What messages list after the fields of a body type, which has any number of points.
+pub(super) const POINT: &str = "point name";
+
+/// Returns a known field as messages list it where another one is unknown: an unknown field whose value is a vector may be
+/// a point.
+fn listed_as(known: &str, unknown: &FieldSyntax) -> String {
+    let is_frame = matches!(unknown.value, Some(ValueSyntax::Vector(_) | ValueSyntax::Turned(..)));
+    match known == POINT && is_frame {
+        true => format!("`point {}`", unknown.name),
+        false => format!("`{known}`"),
+    }
 }
 
 /// Returns those of `required` that are missing. A field with a similar name counts as given: it is

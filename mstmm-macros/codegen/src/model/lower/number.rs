@@ -15,6 +15,9 @@ use crate::syntax::{
 /// The maximum size of a formula: powers of powers multiply it.
 const LARGEST_FORMULA: usize = 1000;
 
+/// Functions whose names are close to those of other functions.
+const OTHER_FUNCTIONS: &[&str] = &["asin", "acos", "sinh", "cosh", "cot", "sign"];
+
 const NOT_FINITE: &str = "this is not a finite number";
 
 /// A number with its dimension.
@@ -333,7 +336,9 @@ impl Context<'_> {
 
     /// Reports a word before parentheses that is no function.
     pub fn unknown_function<T>(&mut self, function: &Ident) -> Option<T> {
-        let hint = match nearest(&function.to_string(), FUNCTIONS.iter().copied()) {
+        let word = function.to_string();
+        let near = nearest(&word, FUNCTIONS.iter().copied());
+        let hint = match near.filter(|_| !OTHER_FUNCTIONS.contains(&&*word)) {
             Some(near) => format!("did you mean `{near}`?"),
             None => "there are `sqrt`, `sin` and `cos`".into(),
         };

@@ -6,7 +6,7 @@ use super::context::{Context, KnownParameter, Measure};
 use crate::diag::Diagnostics;
 use crate::ids::IdVec;
 use crate::model::{Parameter, ParameterId, Symbol, Value};
-use crate::syntax::{ChainSyntax, FieldSyntax, ParameterSyntax, ValueSyntax};
+use crate::syntax::{ChainSyntax, FORMS, FieldSyntax, ParameterSyntax, ValueSyntax};
 
 /// Reads all parameters. After this they may be used.
 pub(super) fn parameters<'a>(
@@ -69,6 +69,9 @@ fn parameter(field: &FieldSyntax, context: &mut Context) -> Option<(Value, Measu
                 measure => measure,
             };
             Some((value, measure))
+        }
+        ValueSyntax::Form(form) if FORMS.iter().all(|known| form.word != known) => {
+            context.unknown_function(&form.word)
         }
         other => {
             let message = format!("a parameter is a number, found {}", other.described());

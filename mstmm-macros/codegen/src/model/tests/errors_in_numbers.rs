@@ -251,6 +251,12 @@ fn functions_are_known() {
     expect_mass("exp(1) kg", &[("exp", &unknown("exp"))]);
     expect_mass("max(1 kg, 2 kg)", &[("max", &unknown("max"))]);
     expect_mass("foo(1) * 2 kg", &[("foo", &unknown("foo"))]);
+    // Names that are close to those of other functions.
+    for name in ["asin", "acos", "sinh"] {
+        expect_mass(&format!("{name}(1)"), &[(name, &unknown(name))]);
+    }
+    expect("= 0.5 kg", "= tan(1)", &[("tan", &unknown("tan"))]);
+    expect("= 0.5 kg", "= sine(1)", &[("sine", "unknown function `sine`; did you mean `sin`?")]);
     expect("[1, 0, 0] m", "foo(1)", &[("foo", &unknown("foo"))]);
 }
 

@@ -22,10 +22,13 @@ fn an_unknown_field_may_be_the_missing_one() {
     expect_body(&format!("heft = 1 kg; {REST}"), &[("heft", &unknown("heft"))]);
     expect_body(&format!("heft = 1; {REST}"), &[("heft", &unknown("heft"))]);
     expect_body("mass = 1; com = [1, 0, 0]; J = diag(1, 1, 1) about com;", &[("J", &unknown("J"))]);
-    expect_body(
-        "mass = 1; middle = [1, 0, 0]; inertia = diag(1, 1, 1) about com;",
-        &[("middle", &unknown("middle"))],
-    );
+    // A vector may be a point.
+    for field in ["middle", "tip"] {
+        expect_body(
+            &format!("mass = 1; {field} = [1, 0, 0]; inertia = diag(1, 1, 1) about com;"),
+            &[(field, &unknown(field).replace("point name", &format!("point {field}")))],
+        );
+    }
     // What cannot be the missing one hides it not.
     expect_body(
         &format!("colour = 1 m/s; {REST}"),
@@ -182,7 +185,7 @@ fn a_refused_name_may_be_the_unknown_one() {
         ),
         &[(
             "lug",
-            "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia`, `output`, `shape` and `point name`",
+            "body `Rod` has no field `lug`; it has `mass`, `com`, `inertia`, `output`, `shape` and `point lug`",
         )],
     );
     // A name of another kind is another matter.
