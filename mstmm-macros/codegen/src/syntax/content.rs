@@ -41,7 +41,7 @@ fn misspelt_block(
         .or_else(|| nearest(&word.to_string(), words.chain(["param"])))?;
     let &(_, block) = BLOCKS.iter().find(|(word, _)| *word == near)?;
     let mut names = ahead;
-    block_head(&mut names).ok()?;
+    block_head(&mut names, &mut Diagnostics::default()).ok()?;
     diagnostics.error(word.span(), format!("unknown item `{word}`; did you mean `{near}`?"));
     *input = ahead;
     Some((block, word.span()))
@@ -55,7 +55,7 @@ pub(super) fn block(
     def: &mut ContentSyntax,
     diagnostics: &mut Diagnostics,
 ) {
-    match block_head(input) {
+    match block_head(input, diagnostics) {
         Ok((names, inside)) => {
             let Content { fields, points, complete } = field::content(inside, diagnostics);
             let routes_before = def.routes.len();

@@ -122,9 +122,10 @@ pub(super) fn is_route(input: &Cursor) -> bool {
     ahead.group(Delimiter::Parenthesis);
     let is_named = name(&mut ahead).is_some();
     let ends = ahead.peek_punct(';') || ahead.is_empty() || begins_block(&ahead);
-    // A wrong sign, or none, before the next item.
+    // A wrong sign, or none, before the next item; or a word too many before the end.
     let goes_on =
         is_hinge && is_named && !ahead.peek_group(Delimiter::Brace) && !ahead.peek_punct('=');
+    let goes_on = goes_on || (is_named && ahead.ident().is_some() && ahead.peek_punct(';'));
     (is_item && (ends || goes_on)) || is_clearly_route(input)
 }
 
@@ -138,6 +139,10 @@ pub(super) fn is_clearly_route(input: &Cursor) -> bool {
         && begins_field(&inside)
     {
         return false;
+    }
+    if first == "moving" {
+        // A keyword as the name of an end is reported where the name is checked.
+        ahead.word("ground");
     }
     first == "ground" || first == "repeat" || has_arrow(ahead)
 }

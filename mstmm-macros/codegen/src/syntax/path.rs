@@ -4,7 +4,9 @@ use proc_macro2::{Delimiter, Ident};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
+use super::lookahead::begins_field;
 use super::tree::PathSyntax;
+use crate::diag::Diagnostics;
 
 /// Reads a path of at least two names. A path of at least three that begins with `last` is of the
 /// previous repetition.
@@ -44,9 +46,22 @@ fn paths(input: &mut Cursor) -> Result<Vec<PathSyntax>> {
     }
 }
 
-/// Parses the names of a block and enters its braces.
-pub(super) fn block_head<'a>(input: &mut Cursor<'a>) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
+/// Parses the names of a block and enters its braces. Fields in other brackets are reported and entered.
+pub(super) fn block_head<'a>(
+    input: &mut Cursor<'a>,
+    diagnostics: &mut Diagnostics,
+) -> Result<(Vec<PathSyntax>, Cursor<'a>)> {
     let names = paths(input)?;
+    for other in [Delimiter::Bracket, Delimiter::Parenthesis] {
+        let mut ahead = *input;
+        if let Some((inside, _)) = ahead.group(other)
+            && begins_field(&inside)
+        {
+            diagnostics.push(input.unexpected("`{`"));
+            *input = ahead;
+            return Ok((names, inside));
+        }
+    }
     if input.peek_group(Delimiter::Bracket) {
         let message = "a block applies to each repetition: remove the index";
         return Err(Error::new(input.next_span(), message));

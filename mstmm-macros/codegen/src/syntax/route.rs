@@ -191,7 +191,8 @@ fn repeated_routes(
 fn block(inside: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
     let mut ahead = *inside;
     let Some(word) = ahead.ident() else { return false };
-    if !lookahead::ITEMS.iter().any(|item| word == item) || block_head(&mut ahead).is_err() {
+    let is_item = lookahead::ITEMS.iter().any(|item| word == item);
+    if !is_item || block_head(&mut ahead, &mut Diagnostics::default()).is_err() {
         return false;
     }
     let place = if word == "body" { "before the first route" } else { "after the route" };

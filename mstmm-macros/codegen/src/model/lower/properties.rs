@@ -99,7 +99,12 @@ fn assign<'a>(
     let part = resolved.written.scopes[written_block.scope].part.map(|part| &part.name);
     // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
-    for path in &block.names {
+    for (position, path) in block.names.iter().enumerate() {
+        if block.names[..position].iter().any(|earlier| earlier.names == path.names) {
+            let message = format!("`{path}` is in this block twice: remove one");
+            context.diagnostics.error_over(path.extent(), message);
+            continue;
+        }
         let Some(index) = target(written_block, path, resolved, context) else {
             names_items = false;
             continue;
