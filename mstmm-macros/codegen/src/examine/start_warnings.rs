@@ -1,5 +1,7 @@
 //! Warnings of a start that is valid, but probably not what was meant.
 
+use proc_macro2::Span;
+
 use super::dry_run::{Configuration, DryRun, Number};
 use crate::diag::Diagnostics;
 use crate::equations;
@@ -26,6 +28,11 @@ const DISTANCE: f64 = 1e-9;
 /// The largest difference of the coordinates of equal closed poses. In a singular pose, a residual of 1e-9 leaves its root.
 const EQUAL: f64 = 1e-3;
 
+/// Returns the span of the `start` of a hinge, or of its name on the route if no start is written.
+fn start_of(hinge: &Hinge) -> Span {
+    hinge.start_field.as_ref().unwrap_or(&hinge.name).span()
+}
+
 impl DryRun {
     /// Warns of hinges that start beyond their limits. Prescribed motions have no start.
     pub fn warn_of_limits(&self, diagnostics: &mut Diagnostics) {
@@ -35,7 +42,7 @@ impl DryRun {
                 let message = format!(
                     "hinge `{path}` starts beyond its limits, whose springs push it back: write a `start` within them"
                 );
-                diagnostics.warn(hinge.name.span(), BEYOND_LIMITS, message);
+                diagnostics.warn(start_of(hinge), BEYOND_LIMITS, message);
             }
         }
     }
@@ -71,7 +78,7 @@ impl DryRun {
                 "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \
                  that it moves have no inertia, or its axes are in one plane; write another `start`"
             );
-            diagnostics.warn(hinge.name.span(), SINGULAR_ACCELERATIONS, message);
+            diagnostics.warn(start_of(hinge), SINGULAR_ACCELERATIONS, message);
         }
     }
 

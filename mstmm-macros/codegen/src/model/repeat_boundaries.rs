@@ -121,6 +121,7 @@ fn add_boundary(chain: &mut Chain, boundary: RepeatBoundary, at: Attachment) -> 
         inboard: at,
         outboard: Attachment::Input(body),
         start: Vec::new(),
+        start_field: None,
         start_rate: Vec::new(),
         rest: Vec::new(),
         drive: Drive::Efforts(Vec::new()),

@@ -38,6 +38,8 @@ pub struct Hinge {
     pub outboard: Attachment,
     /// Start coordinates, as many as the kind has: see [`HingeKind`].
     pub start: Vec<Value>,
+    /// The name of the field `start` as written, for messages.
+    pub start_field: Option<Ident>,
     /// Start rates, as many as the kind has degrees of freedom.
     pub start_rate: Vec<Value>,
     /// The coordinates at which its springs exert no effort.

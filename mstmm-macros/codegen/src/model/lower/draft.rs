@@ -265,9 +265,21 @@ fn hinge(
     [inboard, outboard]: [Attachment; 2],
     motion: HingeProperties,
 ) -> Hinge {
-    let HingeProperties { start, start_rate, rest, drive, passive } = motion;
+    let HingeProperties { start, start_field, start_rate, rest, drive, passive } = motion;
     let ItemName { joined: name, path } = name.clone();
-    Hinge { name, path, kind, inboard, outboard, start, start_rate, rest, drive, passive }
+    Hinge {
+        name,
+        path,
+        kind,
+        inboard,
+        outboard,
+        start,
+        start_field,
+        start_rate,
+        rest,
+        drive,
+        passive,
+    }
 }
 
 /// Returns the massless body of a moving end.

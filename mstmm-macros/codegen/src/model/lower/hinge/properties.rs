@@ -1,6 +1,8 @@
 //! Start, rest position and drive of a hinge: read by the groups of its degrees of freedom, in the
 //! same way for all kinds.
 
+use proc_macro2::Ident;
+
 use super::field_names::{groups, measures};
 use super::passive::passive;
 use crate::model::lower::context::Context;
@@ -14,6 +16,8 @@ use crate::syntax::{FieldSyntax, OrientationSyntax, ValueSyntax};
 pub(crate) struct HingeProperties {
     /// Start coordinates.
     pub start: Vec<Value>,
+    /// The name of the field `start`, if it is written.
+    pub start_field: Option<Ident>,
     /// Start rates.
     pub start_rate: Vec<Value>,
     /// The coordinates at rest.
@@ -31,6 +35,7 @@ impl HingeProperties {
         let dof_count = spec.rates.len();
         HingeProperties {
             start: zero_position(spec),
+            start_field: None,
             start_rate: numbers(dof_count),
             rest: zero_position(spec),
             drive: Drive::Efforts(vec![Effort::Free; dof_count]),
@@ -65,7 +70,8 @@ pub(crate) fn motion(
         passive(group, names, rotation.map(|(_, names)| names), fields, context)
     });
     let passive = passives.collect();
-    HingeProperties { start, rest, start_rate, drive, passive }
+    let start_field = fields.get("start").map(|field| field.name.clone());
+    HingeProperties { start, start_field, rest, start_rate, drive, passive }
 }
 
 /// The coordinates of a position.
