@@ -22,6 +22,7 @@ mod orientation;
 mod parameter;
 mod parts;
 mod place;
+mod plane_vectors;
 mod properties;
 mod quantity;
 mod references;
@@ -62,6 +63,13 @@ pub(super) fn draft<'a>(
     diagnostics: &mut Diagnostics,
 ) -> Option<(Draft<'a>, Passthrough)> {
     let space = match def.dimension? {
+        DimensionKeyword::Space if plane_vectors::lacks_plane(def) => {
+            let name = &def.name;
+            let message =
+                format!("all vectors of this chain have 2 components: write `plane chain {name}`");
+            diagnostics.error(name.span(), message);
+            Dimension::Plane
+        }
         DimensionKeyword::Space => Dimension::Space,
         DimensionKeyword::Plane => Dimension::Plane,
         DimensionKeyword::Line => Dimension::Line,

@@ -20,6 +20,7 @@ mod grammar;
 mod keywords;
 mod no_follow_up_errors;
 mod parts;
+mod read_as_intended;
 mod rules;
 mod shapes;
 mod trees;

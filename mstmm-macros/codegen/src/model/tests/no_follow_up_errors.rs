@@ -292,23 +292,6 @@ fn fields_without_braces_are_no_items() {
 }
 
 #[test]
-fn fields_in_other_brackets_are_read() {
-    for (open, close) in [("[", "]"), ("(", ")")] {
-        let message = format!("expected `{{`, found `{open}`");
-        expect_rods(
-            &format!(
-                "ground -> pin j -> Rod rod; hinge j {open} start = 1 kg; {close} load l {{ on = rod; }}"
-            ),
-            &[
-                (open, &message),
-                ("kg", "expected an angle, found a mass"),
-                ("l", "load `l` needs a `force` or a `torque`"),
-            ],
-        );
-    }
-}
-
-#[test]
 fn keywords_of_types_and_parts_may_be_missing() {
     let bar = "Bar { mass = 1 kg; com = [0, 0, 0] m; inertia = diag(1, 1, 1) kg*m^2 about com; }";
     let keyword = "write the keyword: `body Bar`";
@@ -353,24 +336,6 @@ fn one_mistake_in_several_places_is_one_error() {
     expect_body(&com.replace("0 m, 0 m", "0, 0"), &[("m", one)]);
     let begins = "`repeat` begins with a hinge, not with body `two`: …";
     expect_rods("ground -> repeat 2 { Rod two -> pin b } -> Rod three;", &[("two", begins)]);
-}
-
-#[test]
-fn a_word_too_many_hides_no_names() {
-    let rest = "rod.output -> pin j -> Rod end; load l { on = rod; force = input; } \
-                body rod { start_velocity = [0, 0, 1]; }";
-    expect_rods(&format!("Rod rod rod; {rest}"), &[("rod", "expected `->` or `;`, found `rod`")]);
-    let keyword = "`ground` is a keyword of this language and cannot be a name";
-    let rest = "hinge j { damping = 1; } load l { on = rod; force = input; }";
-    expect_rods(&format!("moving ground -> pin j -> Rod rod; {rest}"), &[("ground", keyword)]);
-}
-
-#[test]
-fn a_name_twice_in_a_block_is_one_error() {
-    expect_rods(
-        "ground -> pin j -> Rod rod; hinge j, j { damping = 1; stiffness = 1; start = 1; }",
-        &[("j", "`j` is in this block twice: remove one")],
-    );
 }
 
 #[test]

@@ -44,7 +44,6 @@ fn wrong_count(part: &PartSyntax, found: usize) -> String {
     let name = &part.name;
     let parameters: Vec<String> = part.parameters.iter().map(ToString::to_string).collect();
     match parameters.len() {
-        0 => format!("part `{name}` has no parameters: remove the parentheses"),
         1 => format!("`{name}` takes 1 number, {}; found {found}", listed(&parameters)),
         count => format!("`{name}` takes {count} numbers, {}; found {found}", listed(&parameters)),
     }

@@ -30,6 +30,8 @@ pub(super) struct RouteWriter<'a, 'd> {
     diagnostics: &'d mut Diagnostics,
     /// The paths of the instances so far.
     instances: HashSet<String>,
+    /// The parts without parameters to which an instance gives arguments, which is reported.
+    without_parameters: HashSet<String>,
     is_full: bool,
 }
 
@@ -82,7 +84,16 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
             complete: true,
             routes_are_complete: true,
         };
-        RouteWriter { written, def, parts, diagnostics, instances: HashSet::new(), is_full: false }
+        let (instances, without_parameters) = (HashSet::new(), HashSet::new());
+        RouteWriter {
+            written,
+            def,
+            parts,
+            diagnostics,
+            instances,
+            without_parameters,
+            is_full: false,
+        }
     }
 
     /// Writes out all routes and blocks.
@@ -203,7 +214,8 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
             self.written.routes_are_complete = false;
             return;
         }
-        let substitution = substitution(part, set.word, &name, set.arguments, self.diagnostics);
+        let arguments = self.arguments(part, set);
+        let substitution = substitution(part, set.word, &name, arguments, self.diagnostics);
         let outer = &self.written.scopes[open.scope];
         let scope = Scope {
             part: Some(part),
@@ -226,6 +238,28 @@ impl<'a, 'd> RouteWriter<'a, 'd> {
         (open.scope, open.index) = outer;
         let further = 1..part.content.routes.len();
         open.further.extend(further.map(|index| (instance, index)));
+    }
+
+    /// Returns the arguments of an instance; none if the part has no parameters, which is one error for all instances. The
+    /// names that are unknown in the part may be these parameters.
+    fn arguments<'s>(
+        &mut self,
+        part: &PartSyntax,
+        set: &PartUse<'s>,
+    ) -> Option<&'s ArgumentsSyntax> {
+        let arguments = set.arguments?;
+        if !part.parameters.is_empty() || arguments.values.is_empty() {
+            return Some(arguments);
+        }
+        let name = &part.name;
+        if self.without_parameters.insert(name.to_string()) {
+            let message = format!(
+                "part `{name}` has no parameters: remove the parentheses, or name the parameters in `part {name}(…)`"
+            );
+            self.diagnostics.error_over(arguments.extent, message);
+        }
+        self.written.complete = false;
+        None
     }
 
     /// Writes out a repeated part: its first route, then its branches.
