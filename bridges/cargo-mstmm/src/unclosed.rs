@@ -19,11 +19,17 @@ const REPLACED: &[(char, &str)] = &[
     ('„', "\""),
 ];
 
+/// The words with which a chain may begin.
+const HEADS: &[&str] = &["chain", "space", "plane", "line", "pub"];
+
+/// The message at a brace that closes an outer bracket too early.
+const TOO_MANY: &str = "this `}` is too many, or a `{` before it is missing";
+
 /// Returns the place and the message of the first character that no token has, of the first bracket without a partner, or
 /// of the string or comment that does not end.
 #[must_use]
 pub fn unclosed(text: &str) -> Option<(Range<usize>, String)> {
-    let mut brackets = Brackets { text, open: Vec::new(), suspect: None };
+    let mut brackets = Brackets { text, open: Vec::new(), suspect: None, extra: None };
     let mut at = 0;
     while let Some(letter) = text[at..].chars().next() {
         let rest = &text[at..];
@@ -65,6 +71,9 @@ struct Brackets<'a> {
     open: Vec<(usize, char)>,
     /// The first brace whose partner is further to the left than itself: another one closed it, probably.
     suspect: Option<(usize, char)>,
+    /// The first brace that probably is too many: it is further to the right than its partner, or text follows it that begins
+    /// no chain.
+    extra: Option<usize>,
 }
 
 impl Brackets<'_> {
@@ -72,9 +81,16 @@ impl Brackets<'_> {
     fn close(&mut self, at: usize, letter: char) -> Option<(Range<usize>, String)> {
         let here = at..at + 1;
         let Some((opened, left)) = self.open.pop() else {
-            return Some((here, format!("`{letter}` closes no bracket")));
+            let extra = self.extra.filter(|_| letter == '}');
+            return Some(match extra {
+                Some(at) => (at..at + 1, TOO_MANY.into()),
+                None => (here, format!("`{letter}` closes no bracket")),
+            });
         };
         if partner(left) == letter {
+            if letter == '}' && self.is_extra(at, opened) {
+                self.extra = self.extra.or(Some(at));
+            }
             if letter == '}' && self.indentation(at) < self.indentation(opened) {
                 self.suspect = self.suspect.or(Some((opened, left)));
             }
@@ -93,6 +109,17 @@ impl Brackets<'_> {
         let (at, left) = self.open.pop()?;
         let (at, left) = self.suspect.filter(|_| left == '{').unwrap_or((at, left));
         Some(not_closed(at, left))
+    }
+
+    /// Returns whether a brace is probably too many.
+    fn is_extra(&self, at: usize, opened: usize) -> bool {
+        let line = self.text[..at].rfind('\n').map_or(0, |end| end + 1);
+        let is_first = self.text[line..at].trim().is_empty();
+        let rest = self.text[at + 1..].trim_start();
+        let word = rest.split(|letter: char| !letter.is_alphanumeric()).next().unwrap_or_default();
+        let goes_on = !word.is_empty() && !HEADS.contains(&word);
+        (is_first && self.indentation(at) > self.indentation(opened))
+            || (self.open.is_empty() && goes_on)
     }
 
     /// Returns the number of blanks at the start of the line of a place.

@@ -133,6 +133,9 @@ fn warnings_do_not_fail() {
     assert_eq!((code, result.lines().count(), messages), (0, severities.len(), String::new()));
 }
 
+/// The message at a brace that closes an outer bracket too early.
+const EXTRA: &str = "this `}` is too many, or a `{` before it is missing";
+
 #[test]
 fn what_is_not_closed_is_told_with_its_place() {
     for (text, place, message) in [
@@ -142,6 +145,19 @@ fn what_is_not_closed_is_told_with_its_place() {
         ("/* a /* b */\nchain", (1, 1), "this comment is not closed"),
         ("\u{feff}é \"a\n", (1, 3), "this string is not closed"),
         ("chain A {\n pin(y j -> Rod;\n}\n", (2, 5), "`(` is not closed: expected `)`"),
+        // Indentation tells which brace is too many, or in one line the text after it.
+        (
+            "chain A {\n    body B {\n        mass = 1;\n    }\n    }\n    ground -> B b;\n}\n",
+            (5, 5),
+            EXTRA,
+        ),
+        (
+            "chain A {\n    body B\n        mass = 1;\n    }\n    hinge a { start = 1; }\n}\n",
+            (4, 5),
+            EXTRA,
+        ),
+        ("chain A {\n body B mass = 1; }\n hinge a { start = 1; }\n}\n", (2, 19), EXTRA),
+        ("chain A {\n}\nchain B {\n}}\n", (4, 2), "`}` closes no bracket"),
         // Indentation tells which brace is not closed.
         (
             "chain A {\n    body B {\n        mass = 1;\n    ground -> B b;\n}\n",
