@@ -94,6 +94,10 @@ fn head<'a>(
 /// Skips a wrong word if the head of the chain has no other error. Returns whether the word
 /// replaces `chain`; otherwise it precedes `chain`.
 fn misspelt_chain(input: &mut Cursor) -> Option<bool> {
+    // An item has no chain around it.
+    if lookahead::begins_item(input) {
+        return None;
+    }
     let mut ahead = *input;
     ahead.any();
     let of_chain = ahead.word("chain").is_none();

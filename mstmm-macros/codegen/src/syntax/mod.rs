@@ -54,10 +54,26 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<ChainSyn
         diagnostics.error(input.next_span(), "expected `chain Name { … }`, found nothing");
     }
     while !input.is_empty() {
-        chains.extend(chain::chain(&mut input, diagnostics));
+        let chain = chain::chain(&mut input, diagnostics);
+        // Without a further chain the rest is part of what was not readable.
+        if chain.is_none() && !has_chain(input) {
+            break;
+        }
+        chains.extend(chain);
     }
     check_unique_types(&chains, diagnostics);
     chains
+}
+
+/// Returns whether the keyword of a chain follows, outside of all brackets.
+fn has_chain(mut input: cursor::Cursor) -> bool {
+    while !input.is_empty() {
+        if input.word("chain").is_some() {
+            return true;
+        }
+        input.any();
+    }
+    false
 }
 
 /// The maximum depth of nested groups in the input: `TokenBuffer` is filled by recursion, which

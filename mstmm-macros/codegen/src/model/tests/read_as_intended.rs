@@ -31,6 +31,17 @@ fn a_word_too_many_hides_no_names() {
 }
 
 #[test]
+fn text_without_a_chain_is_one_error() {
+    let found = |word: &str| format!("expected `chain`, found `{word}`");
+    expect_all("fn main() { 1; } struct A { b: C } use d;", &[("fn", &found("fn"))]);
+    expect_all("body A { mass = 1; } ground -> pin a -> A b;", &[("body", &found("body"))]);
+    // A chain may follow.
+    let chain = "chain A { gravity = 1 kg; body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; } ground -> pin a -> Rod b; }";
+    let vector = ("1 kg", "expected a vector …, found a number");
+    expect_all(&format!("fn main() {{}} {chain}"), &[("fn", &found("fn")), vector]);
+}
+
+#[test]
 fn a_name_twice_in_a_block_is_one_error() {
     expect_rods(
         "ground -> pin j -> Rod rod; hinge j, j { damping = 1; stiffness = 1; start = 1; }",
