@@ -1,7 +1,7 @@
 //! The text of a chain in a file, and what the compiler finds in it.
 
 use mstmm_codegen::{Checked, CheckedChain};
-use proc_macro2::{Group, LexError, TokenStream, TokenTree};
+use proc_macro2::{Group, LexError, Span, TokenStream, TokenTree};
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
@@ -85,9 +85,13 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// If a bracket, a string or a comment is not closed, or a character has no meaning.
+    /// If a bracket, a string or a comment is not closed, a character has no meaning, or the file has items of Rust.
     pub fn tokens(&self) -> Result<TokenStream, Box<Message>> {
         let tokens = self.all_tokens()?;
+        if let Some(item) = rust_item(&tokens) {
+            let message = "a file has chains, or one `mstmm_chain! { … }` around all its text: this is a file of Rust";
+            return Err(Box::new(Message::at(self, item.byte_range(), message)));
+        }
         Ok(macro_group(&tokens).map_or(tokens, |group| group.stream()))
     }
 
@@ -125,9 +129,14 @@ impl Source {
     }
 }
 
-/// Returns the brackets of `mstmm_chain! { … }`; none if the tokens begin otherwise.
+/// Returns the brackets of `mstmm_chain! { … }`, with the path of the crate or without; none if the tokens begin otherwise.
 fn macro_group(tokens: &TokenStream) -> Option<Group> {
-    let mut rest = tokens.clone().into_iter();
+    let is_path = |token: &TokenTree| match token {
+        TokenTree::Ident(name) => name == "mstmm",
+        TokenTree::Punct(sign) => sign.as_char() == ':',
+        _ => false,
+    };
+    let mut rest = tokens.clone().into_iter().skip_while(is_path);
     match [rest.next(), rest.next(), rest.next()] {
         [
             Some(TokenTree::Ident(name)),
@@ -135,5 +144,33 @@ fn macro_group(tokens: &TokenStream) -> Option<Group> {
             Some(TokenTree::Group(group)),
         ] if name == "mstmm_chain" => Some(group),
         _ => None,
+    }
+}
+
+/// The keywords with which items of Rust begin.
+const RUST_ITEMS: &[&str] = &[
+    "use", "fn", "mod", "struct", "enum", "impl", "trait", "const", "static", "type", "extern",
+    "unsafe", "let",
+];
+
+/// Returns the place of the first item of Rust, if the tokens begin with one or with an attribute of a file.
+fn rust_item(tokens: &TokenStream) -> Option<Span> {
+    let mut rest = tokens.clone().into_iter().peekable();
+    loop {
+        match rest.next()? {
+            TokenTree::Punct(sign) if sign.as_char() == '#' => {
+                if let Some(TokenTree::Punct(second)) = rest.peek() {
+                    return (second.as_char() == '!').then(|| sign.span());
+                }
+                rest.next();
+            }
+            TokenTree::Ident(word) if word == "pub" => {
+                rest.next_if(|token| matches!(token, TokenTree::Group(_)));
+            }
+            TokenTree::Ident(word) => {
+                return RUST_ITEMS.iter().any(|item| word == item).then(|| word.span());
+            }
+            _ => return None,
+        }
     }
 }

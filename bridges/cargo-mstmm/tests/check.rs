@@ -212,6 +212,29 @@ fn what_is_not_closed_is_told_with_its_place() {
     }
 }
 
+#[test]
+fn a_file_has_chains_only() {
+    let body = "body B { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }";
+    let chain = format!("chain A {{ {body} ground -> pin a -> B b; }}");
+    for call in ["mstmm_chain!", "mstmm::mstmm_chain!", "::mstmm::mstmm_chain!"] {
+        let (chains, messages) = Source::new("a.chain", &format!("{call} {{ {chain} }}")).check();
+        assert_eq!((chains.len(), messages), (1, Vec::new()));
+    }
+    let message = "a file has chains, or one `mstmm_chain! { … }` around all its text: this is a file of Rust";
+    for (before, column) in [
+        ("use mstmm::mstmm_chain;", 1),
+        ("//! A program.\n", 1),
+        ("#![no_std]", 1),
+        ("#[test]\nfn main() {}", 1),
+        ("pub(crate) mod a;", 12),
+    ] {
+        let text = format!("{before} mstmm_chain! {{ {chain} }} fn b() {{}}");
+        let (_, messages) = Source::new("a.rs", &text).check();
+        let found: Vec<_> = messages.iter().map(|of| (of.column, &*of.message)).collect();
+        assert_eq!(found, [(column, message)], "{before}");
+    }
+}
+
 /// Texts with random changes: cut off, parts removed, doubled or replaced by other letters.
 #[test]
 fn no_text_makes_it_panic() {
