@@ -171,6 +171,8 @@ fn what_urdf_does_not_have_is_refused_by_name() {
         let found = reasons(route, items);
         assert!(found.iter().any(|reason| reason == expected), "{route} {items}: {found:?}");
     }
+    let end = "moving end `end`: URDF has no prescribed motions";
+    assert_eq!(reasons("moving end -> pin(y) a -> Rod rod", ""), [end]);
     let part = format!(
         "chain Parts {{ {BODY} part Leg {{
             pin(y) hip -> Rod rod;

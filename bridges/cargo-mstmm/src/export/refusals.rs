@@ -13,7 +13,12 @@ pub fn refusals(chain: &Chain, values: &Values) -> Vec<String> {
         return vec![format!("chain `{}` is not in space: URDF files are", chain.name)];
     }
     let mut reasons: Vec<String> = Vec::new();
-    reasons.extend(chain.hinges.iter().filter_map(|hinge| of_hinge(hinge, values)));
+    // The motion of a moving end is a hinge with its name, which has no other reason.
+    let is_end = |hinge: &&Hinge| {
+        chain.bodies.iter().any(|body| body.role == Role::MovingEnd && body.path == hinge.path)
+    };
+    let hinges = chain.hinges.iter().filter(|hinge| !is_end(hinge));
+    reasons.extend(hinges.filter_map(|hinge| of_hinge(hinge, values)));
     reasons.extend(chain.bodies.iter().filter_map(of_body));
     let load = |Load { path, .. }: &Load| format!("load `{path}`: URDF has no loads");
     reasons.extend(chain.loads.iter().map(load));
