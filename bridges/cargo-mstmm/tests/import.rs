@@ -1,5 +1,7 @@
 //! Small URDF files and MuJoCo models, each with its text or with the reason why it is refused; and files with random errors.
 
+mod common;
+
 use cargo_mstmm::import::{Options, import};
 use cargo_mstmm::source::Source;
 use std::fmt::Write as _;
@@ -69,6 +71,17 @@ fn files_become_the_stored_texts() {
 }
 
 /// Imported texts give no warnings: no unused parameters, no starts beyond limits.
+#[test]
+fn standard_input_is_a_file() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf");
+    let urdf = fs::read_to_string(folder.join("arm.urdf")).unwrap();
+    let expected = fs::read_to_string(folder.join("arm.chain")).unwrap();
+    let (code, text, _) = common::program(["import", "-"], &urdf);
+    assert_eq!((code, text), (0, expected.replace("arm.urdf", "standard input")));
+    let (code, _, messages) = common::program(["import", "-"], "<robot/>");
+    assert!(code == 1 && messages.starts_with("error: standard input:"), "{messages}");
+}
+
 #[test]
 fn imported_texts_give_no_warnings() {
     let mut count = 0;

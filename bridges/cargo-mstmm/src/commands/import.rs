@@ -1,15 +1,16 @@
 //! `cargo mstmm import`
 
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use super::{Failure, read, write};
+use super::{Failure, write};
 use crate::import::{Options, import};
+use crate::source::Source;
 
 /// Write a URDF file or a MuJoCo model as the text of a chain.
 #[derive(Args, Debug)]
 pub struct Import {
-    /// The URDF or MJCF file
+    /// The URDF or MJCF file; `-` is standard input
     file: PathBuf,
     /// Only joints between the root and this link move; others are held at zero
     #[arg(long, value_name = "LINK")]
@@ -37,9 +38,8 @@ pub struct Import {
 ///
 /// If a file cannot be read or written, or the robot cannot be a chain.
 pub fn run(arguments: &Import) -> Result<(), Failure> {
-    let shown = arguments.file.display();
-    let text = read(&arguments.file)?;
-    let name = arguments.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let Source { file: shown, text } = Source::read(&arguments.file)?;
+    let name = Path::new(&shown).file_name().unwrap_or_default().to_string_lossy().into_owned();
     let options = Options {
         name: arguments.name.clone(),
         tip: arguments.tip.clone(),

@@ -107,8 +107,8 @@ fn chain(arguments: &New) -> Result<(Source, String), Failure> {
         return Ok((Source::new("crane.chain", FIRST), String::new()));
     };
     let options = Options { floating: arguments.floating, file: name(file), ..Options::default() };
-    let shown = file.display().to_string();
-    let imported = import(&read(file)?, &options).map_err(|error| {
+    let Source { file: shown, text } = Source::read(file)?;
+    let imported = import(&text, &options).map_err(|error| {
         let separator = if error.place.is_some() { "" } else { " " };
         Failure(format!("{shown}:{separator}{error}"))
     })?;
