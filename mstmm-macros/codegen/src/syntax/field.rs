@@ -160,9 +160,11 @@ impl Ends {
                 self.skip(input);
                 return false;
             }
-            if value.word().is_some() && after.peek_ident().is_some() && !begins_field(&after) {
-                let message = match ONE_WORD.iter().any(|field| name == field) {
-                    true => format!("`{name}` is one word: remove the others"),
+            let is_path = matches!(value, ValueSyntax::Path(_));
+            let is_word = is_path || value.word().is_some();
+            if is_word && after.peek_ident().is_some() && !begins_field(&after) {
+                let message = match is_path || ONE_WORD.iter().any(|field| name == field) {
+                    true => format!("`{name}` has one value: remove the others"),
                     false => "write several words in brackets: `[…, …]`".to_owned(),
                 };
                 diagnostics.error(at, message);

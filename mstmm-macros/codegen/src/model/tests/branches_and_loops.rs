@@ -162,8 +162,9 @@ fn a_spring_is_between_two_points() {
     expect_spring("on = ground at [1, 0, 0] m; to = [0, 0, 0];", "ground", ground);
     let brackets = "write the body without brackets: `on = crank`";
     expect_spring("on = [crank]; to = [0, 0, 0];", "[crank]", brackets);
-    let one = "`on` is one word: remove the others";
-    expect_spring("on = crank, bar; to = [0, 0, 0];", ",", one);
+    let one = |field: &str| format!("`{field}` has one value: remove the others");
+    expect_spring("on = crank, bar; to = [0, 0, 0];", ",", &one("on"));
+    expect_spring("on = bar; to = crank.output, bar.input;", ",", &one("to"));
     let no_place = "`crank` has no place `tip`; it has `input` and `output`";
     expect_spring("on = crank.tip; to = [0, 0, 0];", "tip", no_place);
     expect_spring("on = bar; to = crank.tip;", "tip", no_place);
