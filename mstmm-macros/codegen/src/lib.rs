@@ -1,7 +1,7 @@
 //! The compiler behind `mstmm_chain!`: from the text of a chain to the code that computes it.
 //!
 //! ```text
-//! tokens --syntax--> ChainDef --model--> Chain --equations--> Function --passes--> Procedure --emit--> tokens
+//! tokens --syntax--> ChainSyntax --model--> Chain --equations--> Function --passes--> Procedure --emit--> tokens
 //! ```
 //!
 //! | module | holds | may use |
