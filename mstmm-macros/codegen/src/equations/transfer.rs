@@ -175,7 +175,7 @@ impl<S: Scalar> TransferProduct<S> {
     }
 
     /// Returns the product with the wrench on the outboard side of a link's part, about the link's
-    /// point.
+    /// point: a column of `U_j z` [P, Eqs. (18), (19), (21)] for each column `z`.
     fn outboard_of_body(&self, problem: &MotionProblem<S>, link: LinkId) -> Self {
         let inertia = problem.inertia(link);
         let outboard =
@@ -207,7 +207,8 @@ impl<S: Scalar> TransferProduct<S> {
         used
     }
 
-    /// Uses the condition `sᵀ F + H β = τ` to eliminate one unknown, with `β` as a new unknown.
+    /// Uses the condition `sᵀ F + H β = τ` to eliminate one unknown, with `β` as a new unknown. For a
+    /// ball, a pin and a floating hinge without drives it is [P, Eqs. (25), (35), (57), (58)].
     fn eliminate(&mut self, s: BasisVector<S>, tau: S, armature: S) -> UsedCondition<S> {
         let direction = s.motion();
         let mut coefficients: Vec<S> =
