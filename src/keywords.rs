@@ -21,6 +21,7 @@ pub mod hinge;
 /// Kinds of hinges on a route.
 pub mod kinds;
 /// Fields of `load` blocks.
+#[doc(alias("xfrc_applied", "ExternallyAppliedSpatialForce", "fext", "external force", "wrench"))]
 pub mod load;
 /// Settings of a chain.
 pub mod settings;

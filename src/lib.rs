@@ -17,8 +17,7 @@ pub mod frames {}
 #[doc(alias("MultibodyPlant", "Model", "mjModel", "Data", "Context"))]
 #[doc(alias("CreateDefaultContext", "mj_resetData", "mj_resetDataKeyframe", "neutral"))]
 #[doc(alias("GetPositions", "GetVelocities", "integrate", "mj_step", "Simulator::AdvanceTo"))]
-#[doc(alias("mj_energyPos", "mj_energyVel", "EvalKineticEnergy", "EvalPotentialEnergy"))]
-#[doc(alias("computeMechanicalEnergy", "ten_length", "ten_velocity"))]
+#[doc(alias("normalize", "ten_length", "ten_velocity"))]
 #[doc(alias(
     "AddCouplerConstraint",
     "JointModelMimic",

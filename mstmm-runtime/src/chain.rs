@@ -142,6 +142,7 @@ pub trait Chain {
     /// Scales the quaternions of a state to unit length.
     ///
     /// A step changes their length by no more than the error of the step.
+    #[doc(alias("mj_normalizeQuat", "unit quaternion"))]
     fn normalize(&self, state: &mut Self::State);
 
     /// Projects a state onto the loop constraints of a closed chain, in coordinates and rates.

@@ -6,12 +6,17 @@ use nalgebra::{Vector2, Vector3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum<T> {
     /// The mass of all bodies in kg, also of those that are fixed to the ground.
+    #[doc(alias("total mass", "CalcTotalMass", "computeTotalMass", "mj_getTotalmass"))]
     pub mass: T,
     /// The centre of mass in m.
+    #[doc(alias("centre of mass", "CoM", "centerOfMass", "CalcCenterOfMassPositionInWorld"))]
+    #[doc(alias("mj_comPos", "subtree_com"))]
     pub center_of_mass: Vector3<T>,
     /// Linear momentum in kg m/s.
+    #[doc(alias("mj_subtreeVel", "subtree_linvel"))]
     pub linear: Vector3<T>,
     /// Angular momentum about the centre of mass in kg m²/s.
+    #[doc(alias("centroidal momentum", "computeCentroidalMomentum", "subtree_angmom"))]
     pub angular: Vector3<T>,
 }
 

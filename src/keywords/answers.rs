@@ -11,7 +11,7 @@ pub enum basic {}
 ///
 /// This word generates `bias_efforts(&state, &inputs)` and nothing else, [see the reference](crate::mstmm_chain#bias-efforts).
 ///
-/// Other tools and textbooks: `CalcBiasTerm`, `CalcInverseDynamics`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`.
+/// Other tools and textbooks: `CalcBiasTerm`, `CalcInverseDynamics`, `mj_rne`, `nle`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcBiasTerm")]
@@ -20,6 +20,7 @@ pub enum basic {}
 #[doc(alias = "bias force")]
 #[doc(alias = "centrifugal force")]
 #[doc(alias = "mj_rne")]
+#[doc(alias = "nle")]
 #[doc(alias = "nonLinearEffects")]
 #[doc(alias = "nonlinear effects")]
 #[doc(alias = "qfrc_bias")]
@@ -84,7 +85,7 @@ pub enum derivatives {}
 /// prescribed motions, `bias_efforts` less `gravity_efforts` are the Coriolis and centrifugal efforts C(q, v) v; the matrix C is the
 /// answer [`coriolis_matrix`](crate::mstmm_chain#coriolis_matrix).
 ///
-/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `MakeActuationMatrix`, `computeGeneralizedGravity`, `computeStaticTorque`, `ctrl`, `mj_inverse`, `mj_rne`, `nonLinearEffects`, `qfrc_bias`, `qfrc_passive`, `rnea`, `underactuated`.
+/// Other tools and textbooks: `CalcBiasTerm`, `CalcForceElementsContribution`, `CalcGravityGeneralizedForces`, `CalcInverseDynamics`, `MakeActuationMatrix`, `computeGeneralizedGravity`, `computeStaticTorque`, `ctrl`, `mj_inverse`, `mj_passive`, `mj_rne`, `nle`, `nonLinearEffects`, `qfrc_bias`, `qfrc_inverse`, `qfrc_passive`, `rnea`, `underactuated`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcBiasTerm")]
@@ -106,10 +107,13 @@ pub enum derivatives {}
 #[doc(alias = "holding torque")]
 #[doc(alias = "inverse dynamics")]
 #[doc(alias = "mj_inverse")]
+#[doc(alias = "mj_passive")]
 #[doc(alias = "mj_rne")]
+#[doc(alias = "nle")]
 #[doc(alias = "nonLinearEffects")]
 #[doc(alias = "nonlinear effects")]
 #[doc(alias = "qfrc_bias")]
+#[doc(alias = "qfrc_inverse")]
 #[doc(alias = "qfrc_passive")]
 #[doc(alias = "recursive Newton-Euler algorithm")]
 #[doc(alias = "rnea")]
@@ -137,12 +141,13 @@ pub enum inverse_dynamics {}
 /// | `operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | Λ = (J M⁻¹ Jᵀ)⁻¹. `Error::SingularMatrix` if the point cannot move in every direction, as that of an arm with fewer than six joints. The inertia against a force only is the inverse of the upper left block of J M⁻¹ Jᵀ, by [`linear::solve_positive_definite`](crate::linear::solve_positive_definite) |
 /// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G, in axes of the outboard frame of the closing hinge: rates v with G v = 0 keep the chain closed if moving ends and prescribed motions are at rest, and [`linear::null_space`](crate::linear::null_space) is a basis of them |
 ///
-/// Other tools and textbooks: `CalcJacobianAngularVelocity`, `CalcJacobianSpatialVelocity`, `CalcJacobianTranslationalVelocity`, `LOCAL_WORLD_ALIGNED`, `computeDelassusMatrix`, `computeFrameJacobian`, `efc_AR`, `efc_J`, `getConstraintJacobian`, `getFrameJacobian`, `mj_jac`, `mj_jacBody`, `mj_jacPointAxis`, `mj_jacSite`.
+/// Other tools and textbooks: `CalcJacobianAngularVelocity`, `CalcJacobianSpatialVelocity`, `CalcJacobianTranslationalVelocity`, `CalcSpatialAccelerationsFromVdot`, `LOCAL_WORLD_ALIGNED`, `computeDelassusMatrix`, `computeFrameJacobian`, `computeJointJacobians`, `efc_AR`, `efc_J`, `getConstraintJacobian`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobian`, `mj_jac`, `mj_jacBody`, `mj_jacPointAxis`, `mj_jacSite`, `mj_objectAcceleration`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcJacobianAngularVelocity")]
 #[doc(alias = "CalcJacobianSpatialVelocity")]
 #[doc(alias = "CalcJacobianTranslationalVelocity")]
+#[doc(alias = "CalcSpatialAccelerationsFromVdot")]
 #[doc(alias = "Delassus matrix")]
 #[doc(alias = "Jacobian transpose")]
 #[doc(alias = "KKT conditions")]
@@ -150,6 +155,7 @@ pub enum inverse_dynamics {}
 #[doc(alias = "Lagrange multipliers")]
 #[doc(alias = "computeDelassusMatrix")]
 #[doc(alias = "computeFrameJacobian")]
+#[doc(alias = "computeJointJacobians")]
 #[doc(alias = "constraint Jacobian")]
 #[doc(alias = "contact Jacobian")]
 #[doc(alias = "efc_AR")]
@@ -160,11 +166,14 @@ pub enum inverse_dynamics {}
 #[doc(alias = "frame Jacobian")]
 #[doc(alias = "geometric Jacobian")]
 #[doc(alias = "getConstraintJacobian")]
+#[doc(alias = "getFrameAcceleration")]
+#[doc(alias = "getFrameClassicalAcceleration")]
 #[doc(alias = "getFrameJacobian")]
 #[doc(alias = "mj_jac")]
 #[doc(alias = "mj_jacBody")]
 #[doc(alias = "mj_jacPointAxis")]
 #[doc(alias = "mj_jacSite")]
+#[doc(alias = "mj_objectAcceleration")]
 #[doc(alias = "mobility tensor")]
 #[doc(alias = "operational space")]
 #[doc(alias = "operational space inertia")]
@@ -189,18 +198,24 @@ pub enum jacobian {}
 /// | `angular_velocity()` | rad/s, inertial axes |
 /// | `bias_acceleration()`, `angular_bias_acceleration()` | J̇ v in m/s² and rad/s²: the accelerations at v̇ = 0. Gravity is not part of them |
 ///
-/// Other tools and textbooks: `CalcBiasSpatialAcceleration`, `CalcBiasTranslationalAcceleration`, `CalcPoseInWorld`, `CalcSpatialVelocityInWorld`, `forwardKinematics`, `getFrameClassicalAcceleration`, `getFrameJacobianTimeVariation`, `mj_jacDot`, `mj_kinematics`, `mj_objectAcceleration`, `mj_objectVelocity`, `updateFramePlacements`.
+/// Other tools and textbooks: `AutoDiffXd`, `CalcBiasSpatialAcceleration`, `CalcBiasTranslationalAcceleration`, `CalcPoseInWorld`, `CalcSpatialAccelerationsFromVdot`, `CalcSpatialVelocityInWorld`, `EvalBodyPoseInWorld`, `computeForwardKinematicsDerivatives`, `computeJointJacobiansTimeVariation`, `forwardKinematics`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobianTimeVariation`, `mj_jacDot`, `mj_kinematics`, `mj_objectAcceleration`, `mj_objectVelocity`, `updateFramePlacements`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
+#[doc(alias = "AutoDiffXd")]
 #[doc(alias = "CalcBiasSpatialAcceleration")]
 #[doc(alias = "CalcBiasTranslationalAcceleration")]
 #[doc(alias = "CalcPoseInWorld")]
+#[doc(alias = "CalcSpatialAccelerationsFromVdot")]
 #[doc(alias = "CalcSpatialVelocityInWorld")]
+#[doc(alias = "EvalBodyPoseInWorld")]
 #[doc(alias = "J-dot")]
 #[doc(alias = "J-dot v")]
 #[doc(alias = "Jacobian rate")]
+#[doc(alias = "computeForwardKinematicsDerivatives")]
+#[doc(alias = "computeJointJacobiansTimeVariation")]
 #[doc(alias = "forward kinematics")]
 #[doc(alias = "forwardKinematics")]
+#[doc(alias = "getFrameAcceleration")]
 #[doc(alias = "getFrameClassicalAcceleration")]
 #[doc(alias = "getFrameJacobianTimeVariation")]
 #[doc(alias = "mj_jacDot")]
@@ -273,12 +288,13 @@ pub enum mass_matrix {}
 /// | `momentum(&state, &inputs)` | mass, centre of mass, linear momentum, and angular momentum about the centre of mass, in inertial axes: a [`Momentum`](crate::Momentum). Bodies that are fixed to the ground count for the mass and its centre |
 /// | `momentum_matrix(&state, &inputs)` | the centroidal momentum matrix, 6 × N: linear momentum in kg m/s, then angular momentum in kg m²/s, for rates v. Its first three rows divided by the mass are the Jacobian of the centre of mass. 3 × N in a plane, 1 × N on a line |
 ///
-/// Other tools and textbooks: `CalcCenterOfMassPositionInWorld`, `CalcJacobianCenterOfMassTranslationalVelocity`, `CalcSpatialMomentumInWorldAboutPoint`, `ccrba`, `centerOfMass`, `computeCentroidalMap`, `computeCentroidalMomentum`, `jacobianCenterOfMass`, `mj_angmomMat`, `mj_jacSubtreeCom`, `subtree_angmom`, `subtree_com`, `subtree_linvel`.
+/// Other tools and textbooks: `CalcCenterOfMassPositionInWorld`, `CalcJacobianCenterOfMassTranslationalVelocity`, `CalcSpatialMomentumInWorldAboutPoint`, `CalcTotalMass`, `ccrba`, `centerOfMass`, `computeCentroidalMap`, `computeCentroidalMomentum`, `computeTotalMass`, `jacobianCenterOfMass`, `mj_angmomMat`, `mj_comPos`, `mj_getTotalmass`, `mj_jacSubtreeCom`, `mj_subtreeVel`, `subtree_angmom`, `subtree_com`, `subtree_linvel`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcCenterOfMassPositionInWorld")]
 #[doc(alias = "CalcJacobianCenterOfMassTranslationalVelocity")]
 #[doc(alias = "CalcSpatialMomentumInWorldAboutPoint")]
+#[doc(alias = "CalcTotalMass")]
 #[doc(alias = "ccrba")]
 #[doc(alias = "center of mass")]
 #[doc(alias = "center of mass Jacobian")]
@@ -289,9 +305,13 @@ pub enum mass_matrix {}
 #[doc(alias = "centroidal momentum matrix")]
 #[doc(alias = "computeCentroidalMap")]
 #[doc(alias = "computeCentroidalMomentum")]
+#[doc(alias = "computeTotalMass")]
 #[doc(alias = "jacobianCenterOfMass")]
 #[doc(alias = "mj_angmomMat")]
+#[doc(alias = "mj_comPos")]
+#[doc(alias = "mj_getTotalmass")]
 #[doc(alias = "mj_jacSubtreeCom")]
+#[doc(alias = "mj_subtreeVel")]
 #[doc(alias = "subtree_angmom")]
 #[doc(alias = "subtree_com")]
 #[doc(alias = "subtree_linvel")]

@@ -165,6 +165,7 @@ macro_rules! advance_methods {
             /// Those of [`step`](Self::step), [`Error::NotFinite`] if `end` is not finite, and
             /// [`Error::InvalidParameter`] if the step is too small to change the time. `state` is then the result
             /// of the last complete step.
+            #[doc(alias("AdvanceTo", "Simulator"))]
             pub fn advance_to(
                 &mut self,
                 chain: &C,

@@ -15,7 +15,7 @@ use crate::{Chain, ChainState, Error};
 /// step.
 ///
 /// Times are summed with compensation as in [`Rk4`](super::Rk4).
-#[doc(alias("mjINT_IMPLICITFAST", "Rosenbrock", "implicit"))]
+#[doc(alias("mjINT_IMPLICITFAST", "mj_implicit", "Rosenbrock", "implicit"))]
 pub struct LinearlyImplicitEuler<C: Chain> {
     pace: Pace<C::Scalar>,
     rate: C::State,
@@ -55,6 +55,7 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
     /// # Errors
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::implicit_derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite. `state` is then unchanged.
+    #[doc(alias("mj_step"))]
     pub fn step(
         &mut self,
         chain: &C,

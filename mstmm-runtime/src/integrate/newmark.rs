@@ -90,6 +90,7 @@ impl<C: Chain> Newmark<C> {
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is then unchanged.
+    #[doc(alias("mj_step"))]
     pub fn step(
         &mut self,
         chain: &C,

@@ -13,7 +13,7 @@ use crate::{Chain, ChainState, Error, Scalar};
 ///
 /// The time is summed with compensation (Kahan 1965): the rounding error of one step is added to the next one. So after
 /// n steps the time is the start plus n·h, up to one rounding. Setting the time of the state restarts the summation.
-#[doc(alias("RungeKutta", "RK4"))]
+#[doc(alias("RungeKutta", "RK4", "mjINT_RK4", "mj_RK4", "mj_RungeKutta"))]
 pub struct Rk4<C: Chain> {
     pace: Pace<C::Scalar>,
     stage: C::State,
@@ -57,6 +57,7 @@ impl<C: Chain> Rk4<C> {
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is then unchanged.
+    #[doc(alias("mj_step"))]
     pub fn step(
         &mut self,
         chain: &C,

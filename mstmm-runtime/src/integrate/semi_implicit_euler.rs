@@ -15,7 +15,7 @@ use crate::{Chain, ChainState, Error};
 /// The method is stable for steps up to 2/ω, where ω is the highest angular frequency, and up to 2 m/c for a damper.
 ///
 /// Times are summed with compensation as in [`Rk4`](super::Rk4).
-#[doc(alias("symplectic Euler", "mjINT_EULER"))]
+#[doc(alias("symplectic Euler", "mjINT_EULER", "mj_Euler"))]
 pub struct SemiImplicitEuler<C: Chain> {
     pace: Pace<C::Scalar>,
     rate: C::State,
@@ -56,6 +56,7 @@ impl<C: Chain> SemiImplicitEuler<C> {
     /// Those of [`Chain::check_state`], [`Chain::check_inputs`], [`Chain::derivative_into`] and
     /// [`Chain::project`], and [`Error::NotFinite`] if the result is not finite.
     /// `state` is then unchanged.
+    #[doc(alias("mj_step"))]
     pub fn step(
         &mut self,
         chain: &C,

@@ -67,6 +67,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
 
     /// Returns the position r in m from the inertial origin.
     #[doc(alias("framePlacement", "CalcPointsPositions", "site_xpos", "xpos"))]
+    #[doc(alias("CalcPoseInWorld", "EvalBodyPoseInWorld"))]
     #[inline]
     pub fn position(&self) -> Vector3<T> {
         Vector3::from(self.position_array())
@@ -211,6 +212,10 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
 
     /// Returns the acceleration r̈ in m/s² for given accelerations v̇ of the free rates: J v̇ plus the bias
     /// acceleration.
+    ///
+    /// The linear part of a spatial acceleration is r̈ − Ω × ṙ instead.
+    #[doc(alias("getFrameClassicalAcceleration", "getFrameAcceleration", "mj_objectAcceleration"))]
+    #[doc(alias("CalcSpatialAccelerationsFromVdot"))]
     #[inline]
     pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T>
     where

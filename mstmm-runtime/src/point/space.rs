@@ -159,6 +159,9 @@ impl<T: Scalar, R> Point<T, R> {
     }
 
     /// Returns the acceleration r̈ in m/s², inertial frame: the second time derivative of the position.
+    ///
+    /// The linear part of a spatial acceleration is r̈ − Ω × ṙ instead.
+    #[doc(alias("getFrameClassicalAcceleration", "getFrameAcceleration", "mj_objectAcceleration"))]
     #[inline]
     pub fn acceleration(&self) -> Vector3<T>
     where

@@ -216,6 +216,7 @@ impl<C: Chain> Dopri5<C> {
     /// # Errors
     /// Those of [`step`](Dopri5::step), and [`Error::NotFinite`] if `end` is not finite. `state` is then the
     /// result of the last accepted step.
+    #[doc(alias("AdvanceTo", "Simulator"))]
     pub fn advance_to(
         &mut self,
         chain: &C,

@@ -101,7 +101,7 @@ pub(super) fn passive_efforts(cx: &EmitContext) -> MethodTemplate {
         (quote!(passive_efforts_into), of_state_and_inputs(cx), quote!(efforts_)),
         [
             quote! {
-                #[doc(alias("qfrc_passive"))]
+                #[doc(alias("mj_passive", "qfrc_passive"))]
                 /// Computes the efforts of passive elements, in the order of `v` of the state, in N m and N:
                 /// springs, dampers, friction and limits of hinges, and springs between bodies. They act
                 /// in addition to the efforts of the drives, with the same sign.
@@ -123,6 +123,7 @@ pub(super) fn inverse_solution(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#visibility fn inverse_solve_into),
         docs: [
             quote! {
+                #[doc(alias("CalcSpatialAccelerationsFromVdot"))]
                 #[doc = #doc]
                 ///
                 /// The efforts are those that the drives must supply; those of motors in the inputs and

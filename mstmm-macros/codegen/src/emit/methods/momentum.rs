@@ -27,7 +27,7 @@ pub(super) fn momentum(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#visibility fn momentum),
         docs: [
             quote! {
-                #[doc(alias("centroidal momentum", "computeCentroidalMomentum", "center of mass", "centerOfMass", "subtree_com", "subtree_linvel", "CalcCenterOfMassPositionInWorld"))]
+                #[doc(alias("centroidal momentum", "computeCentroidalMomentum", "center of mass", "centerOfMass", "subtree_com", "subtree_linvel", "CalcCenterOfMassPositionInWorld", "mj_comPos", "mj_subtreeVel", "CalcTotalMass", "computeTotalMass"))]
                 /// Returns mass, centre of mass, linear momentum, and angular momentum about the centre of mass, in
                 /// inertial axes.
             },
@@ -54,7 +54,7 @@ pub(super) fn momentum_matrix(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#visibility fn momentum_matrix_into),
         docs: [
             quote! {
-                #[doc(alias("centroidal momentum matrix", "CMM", "computeCentroidalMap", "ccrba", "jacobianCenterOfMass", "mj_jacSubtreeCom"))]
+                #[doc(alias("centroidal momentum matrix", "CMM", "computeCentroidalMap", "ccrba", "jacobianCenterOfMass", "mj_jacSubtreeCom", "CalcJacobianCenterOfMassTranslationalVelocity"))]
                 /// Computes the matrix that maps the rates `v` to linear momentum and angular momentum about the centre
                 /// of mass, in kg m/s and kg m²/s, in inertial axes. It has one row for each direction, linear then
                 /// angular, and one column for each rate, in the order of `v` of the state. The linear rows divided by
