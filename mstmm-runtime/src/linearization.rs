@@ -169,9 +169,14 @@ impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
     /// Returns the derivatives of the accelerations with respect to the components (w, x, y, z) of a quaternion of the
     /// state.
     ///
-    /// `number` counts the free balls, floating and elastic hinges in the order of `v`; `None` if there are fewer.
-    /// `quaternion` is the value in the state. Only changes that keep its length have a meaning; the derivative
-    /// along a change of the length is zero.
+    /// `number` counts balls, floating and elastic hinges in the order of `v`, without prescribed ones; `None` if there
+    /// are fewer. `quaternion` is the value in the state. Only changes that keep its length have a meaning; the
+    /// derivative along a change of the length is zero.
+    ///
+    /// The state of an elastic hinge has angles instead of a quaternion. If `quaternion` is the orientation of its
+    /// outboard frame relative to its inboard frame, the derivatives are those with respect to the components of this
+    /// quaternion, at the same position.
+    #[doc(alias("quaternion derivative", "derivative by quaternion components"))]
     #[must_use]
     pub fn by_quaternion(&self, number: usize, quaternion: [T; 4]) -> Option<SMatrix<T, N, 4>> {
         let first = self.first_rates().nth(number)?;

@@ -237,7 +237,10 @@ pub enum kinematics {}
 /// [`linear::discretize`](crate::linear::discretize) computes A and B of a step with held inputs, and
 /// [`linear::lqr`](crate::linear::lqr) the gain of a regulator; both need this word. Derivatives with respect to a
 /// small inertia are differences of larger numbers. They lose as many digits as the ratio to the inertia of the bodies around
-/// it has; those of `push` do not.
+/// it has; those of `push` do not. Derivatives with respect to an orientation are along the rates.
+/// [`by_quaternion(number, quaternion)`](crate::Linearization::by_quaternion) returns those with respect to the four
+/// components of a quaternion, N × 4, for programs whose variables they are; the page of [`ball`](mod@crate::hinges::ball) has
+/// an example.
 ///
 /// Other tools and textbooks: `FirstOrderTaylorApproximation`, `Linearize`, `computeABADerivatives`, `linearisation`, `linearization`, `mjd_transitionFD`.
 ///
