@@ -100,9 +100,15 @@ fn power_of_two<T: Scalar>(value: T) -> [T; 2] {
     let one = T::constant(1.0);
     let (mut rest, mut inverse, mut power) = (value, one, one);
     let is_zero = !value.simd_gt(T::constant(0.0));
-    for exponent in [512, 256, 128, 64, 32, 16, 8, 4] {
-        let [large, small] = [1023 + exponent, 1023 - exponent]
-            .map(|biased: u64| T::constant(f64::from_bits(biased << 52)));
+    // 2⁴, 2⁸, …, 2⁵¹² by squaring: a loop over constants would convert them from `f64` in each step.
+    let mut next = T::constant(16.0);
+    let powers = [(); 8].map(|()| {
+        let power = next;
+        next = power * power;
+        power
+    });
+    for large in powers.into_iter().rev() {
+        let small = large.recip();
         // In `f32` the larger powers are infinite.
         let exists = large.is_finite();
         for (applies, down, up) in [
