@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use models::{Arm, BallPendulum, ComputedTorque, InverseDynamics, LinearArm, Model, Satellite};
+use models::{
+    Arm, BallPendulum, CartPole, ComputedTorque, InverseDynamics, LinearArm, Model, Satellite,
+};
 
 /// A chain in a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +21,7 @@ enum Chain {
     InverseDynamics,
     ComputedTorque,
     LinearArm,
+    CartPole,
 }
 
 /// The precision of a chain.
@@ -62,7 +65,7 @@ pub trait Visitor {
 }
 
 impl Case {
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self { chain: Chain::Ball, precision: Precision::Single },
         Self { chain: Chain::Ball, precision: Precision::Double },
         Self { chain: Chain::Arm, precision: Precision::Single },
@@ -75,6 +78,8 @@ impl Case {
         Self { chain: Chain::ComputedTorque, precision: Precision::Double },
         Self { chain: Chain::LinearArm, precision: Precision::Single },
         Self { chain: Chain::LinearArm, precision: Precision::Double },
+        Self { chain: Chain::CartPole, precision: Precision::Single },
+        Self { chain: Chain::CartPole, precision: Precision::Double },
     ];
 
     /// Returns the name of the image.
@@ -92,6 +97,8 @@ impl Case {
             (Chain::ComputedTorque, Precision::Double) => "computed_torque_f64",
             (Chain::LinearArm, Precision::Single) => "linear_arm_f32",
             (Chain::LinearArm, Precision::Double) => "linear_arm_f64",
+            (Chain::CartPole, Precision::Single) => "cart_pole_f32",
+            (Chain::CartPole, Precision::Double) => "cart_pole_f64",
         }
     }
 
@@ -126,6 +133,9 @@ impl Case {
             (Chain::LinearArm, Precision::Single) => {
                 Some(Budget { instructions: 15_000, stack: 4608, code: None })
             }
+            (Chain::CartPole, Precision::Single) => {
+                Some(Budget { instructions: 100_000, stack: 2048, code: None })
+            }
             (_, Precision::Double) => None,
         }
     }
@@ -145,6 +155,8 @@ impl Case {
             (Chain::ComputedTorque, Precision::Double) => visitor.visit::<ComputedTorque<f64>>(),
             (Chain::LinearArm, Precision::Single) => visitor.visit::<LinearArm<f32>>(),
             (Chain::LinearArm, Precision::Double) => visitor.visit::<LinearArm<f64>>(),
+            (Chain::CartPole, Precision::Single) => visitor.visit::<CartPole<f32>>(),
+            (Chain::CartPole, Precision::Double) => visitor.visit::<CartPole<f64>>(),
         }
     }
 }

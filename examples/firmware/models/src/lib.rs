@@ -2,6 +2,7 @@
 #![no_std]
 
 mod arm;
+mod cart_pole;
 mod computed_torque;
 mod inverse_dynamics;
 mod linear_arm;
@@ -12,6 +13,7 @@ mod pendulum;
 mod satellite;
 
 pub use arm::{Arm, ArmState};
+pub use cart_pole::CartPole;
 pub use inverse_dynamics::InverseDynamics;
 pub use linear_arm::LinearArm;
 pub use number::{Hash, Number, Random};
