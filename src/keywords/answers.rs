@@ -242,6 +242,10 @@ pub enum kinematics {}
 /// components of a quaternion, N × 4, for programs whose variables they are; the page of [`ball`](mod@crate::hinges::ball) has
 /// an example.
 ///
+/// Dry friction is linearised where the state is: at rest it acts as a damper f/v, far stronger than in motion if `friction_speed`
+/// is small. For a regulator of a motion, linearise a chain with little friction, or with a `friction_speed` near the expected rates.
+/// In motion, the derivative f v²/√(ṡ² + v²)³ is the difference of two terms, and is accurate to a rounding error of f/|ṡ|.
+///
 /// Other tools and textbooks: `FirstOrderTaylorApproximation`, `Linearize`, `computeABADerivatives`, `linearisation`, `linearization`, `mjd_transitionFD`.
 ///
 /// See [answers](crate::mstmm_chain#answers).

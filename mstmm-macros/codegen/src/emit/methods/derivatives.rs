@@ -31,7 +31,8 @@ pub(super) fn docs_of_derivatives(cx: &EmitContext) -> [TokenStream; 2] {
             ///
             /// `Error::NotFinite` if the state, the accelerations, the inputs or the derivatives by the coordinates
             /// are not finite. Entries of `derivatives` may then be overwritten. Other entries are not tested: they
-            /// may overflow where a length or a rate exceeds 1e150, in `f32` 1e18.
+            /// may overflow where a length or a rate exceeds 1e75, in `f32` 1e9, or where a friction speed is below 1e-150,
+            /// in `f32` 1e-18.
         },
     ]
 }
@@ -80,7 +81,7 @@ pub(super) fn docs_of_linearization(cx: &EmitContext) -> [TokenStream; 2] {
             /// `Error::Singular` if the bodies outboard of a hinge have no inertia along one of its axes,
             /// `Error::NotFinite` if the state, the inputs or the accelerations are not finite. Entries of
             /// `linearization` may then be overwritten. The derivatives are not tested: they may overflow where a
-            /// length or a rate exceeds 1e150, in `f32` 1e18.
+            /// length or a rate exceeds 1e75, in `f32` 1e9, or where a friction speed is below 1e-150, in `f32` 1e-18.
         },
     ]
 }
