@@ -13,7 +13,7 @@ use crate::{Chain, ChainState, Error, Scalar};
 ///
 /// The time is summed with compensation (Kahan 1965): the rounding error of one step is added to the next one. So after
 /// n steps the time is the start plus n·h, up to one rounding. Setting the time of the state restarts the summation.
-#[doc(alias("RungeKutta", "RK4", "mjINT_RK4", "mj_RK4", "mj_RungeKutta"))]
+#[doc(alias("RungeKutta", "RK4", "mjINT_RK4", "mj_RungeKutta"))]
 pub struct Rk4<C: Chain> {
     pace: Pace<C::Scalar>,
     stage: C::State,

@@ -104,8 +104,8 @@ impl DryRun {
         diagnostics.warn(closing.name.span(), rule, message);
     }
 
-    /// Warns of a closed chain that is closed at its start, but with fewer independent loop constraints than in poses next to
-    /// it. `poses` are the closed poses, the first one from the start.
+    /// Warns of a closed chain whose links are in line at its start: it has no other closed pose nearby, or fewer independent
+    /// loop constraints than in those. `poses` are the closed poses, the first one from the start.
     pub fn warn_of_singular_closure(&self, poses: &[Configuration], diagnostics: &mut Diagnostics) {
         let closing = self.merged.loop_hinges.first().map(|&hinge| &self.chain.hinges[hinge]);
         let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
