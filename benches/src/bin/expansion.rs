@@ -1,5 +1,5 @@
 //! Times the expansion of the macro, built as cargo builds macros by default: run it without
-//! `--release`, as `benches/compile-time/run` does.
+//! `--release`, as `benches/compile-time/run` does. An argument selects a chain by its name.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -45,8 +45,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Prints the median of some expansions.
+/// Prints the median of some expansions, unless another chain is selected.
 fn time(name: &str, description: &TokenStream) -> Result<(), Box<dyn Error>> {
+    if std::env::args().nth(1).is_some_and(|only| name != only) {
+        return Ok(());
+    }
     let mut milliseconds = Vec::new();
     for _ in 0..RUNS {
         let (description, start) = (description.clone(), Instant::now());

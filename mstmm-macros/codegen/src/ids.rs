@@ -12,6 +12,13 @@ pub trait Id: Copy + Ord {
     fn index(self) -> usize;
 }
 
+/// Returns a list of `count` copies of a value.
+///
+/// It copies memory, where `vec!` clones entry by entry: macros are built unoptimised, and tables of all nodes are large.
+pub fn copies<T: Copy>(value: T, count: usize) -> Vec<T> {
+    [value].repeat(count)
+}
+
 macro_rules! declare_id {
     ($($(#[$doc:meta])* $name:ident),* $(,)?) => {$(
         $(#[$doc])*

@@ -57,9 +57,11 @@ pub fn print(printer: &Printer, loop_: &ForLoop) -> TokenStream {
     let LoopAccess { inputs, taken, writes } = accesses(printer, loop_);
     let computed: Vec<Step> =
         loop_.body.iter().filter(|step| matches!(step, Step::Compute(_))).cloned().collect();
-    let sections = printer.steps(&computed, |_| {
+    let mut sections = printer.writer();
+    printer.write_steps(&mut sections, &computed, |_| {
         bug!("the steps of a loop other than sections are printed separately")
     });
+    let sections = sections.finish();
     let variable = |value| printer.variables.get(value);
     let exits: Vec<&Ident> = loop_.carries.iter().map(|carry| variable(carry.exit)).collect();
     let phis = loop_.carries.iter().map(|carry| variable(carry.phi));

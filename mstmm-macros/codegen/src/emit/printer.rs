@@ -49,10 +49,19 @@ pub struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    /// Prints steps in order: sections under their headings, other steps by `other`.
-    pub fn steps(&self, steps: &[Step], other: impl Fn(&Step) -> TokenStream) -> TokenStream {
+    /// Returns an empty writer for the procedure.
+    pub fn writer(&self) -> Writer<'_> {
+        Writer::new(self.cx, &self.variables, &self.varying)
+    }
+
+    /// Writes steps in order: sections under their headings, other steps by `other`.
+    pub fn write_steps(
+        &self,
+        writer: &mut Writer,
+        steps: &[Step],
+        other: impl Fn(&Step) -> TokenStream,
+    ) {
         let sections: Vec<&Section> = steps.iter().filter_map(computed).collect();
-        let mut writer = Writer::new(self.cx, &self.variables, &self.varying);
         let mut headings = writer.headings(&sections);
         let (mut number, mut declared, mut stored) = (0, 0, false);
         for step in steps {
@@ -75,7 +84,6 @@ impl Printer<'_> {
             writer.statements(section, !self.flat);
             number += 1;
         }
-        writer.finish()
     }
 
     /// Returns whether a step must not move past the statements that follow. LLVM delays stores in order to vectorise
@@ -98,7 +106,7 @@ impl Printer<'_> {
 
     /// Prints an operand, of the type of columns if `varying`.
     pub fn operand_of(&self, operand: &Operand, varying: bool) -> TokenStream {
-        let mut writer = Writer::new(self.cx, &self.variables, &self.varying);
+        let mut writer = self.writer();
         writer.operand(operand, varying);
         writer.finish()
     }

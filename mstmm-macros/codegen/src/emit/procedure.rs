@@ -88,20 +88,20 @@ impl EmitContext<'_> {
 
 impl Printer<'_> {
     fn print(&self) -> TokenStream {
-        let constant = uses_numbers(self.body).then(|| {
-            let c = helper("c");
-            quote!(let #c = T::constant;)
-        });
         let steps = self.body;
         let given = steps.iter().take_while(|step| matches!(step, Step::CheckArguments(_))).count();
         let (given, steps) = steps.split_at(given);
-        let mut statements: TokenStream = given.iter().map(|step| self.step(step)).collect();
-        statements.extend(self.declared_results());
-        statements.extend(constant);
-        statements.extend(loops::declarations(self));
-        statements.extend(self.steps(steps, |step| self.step(step)));
-        statements.extend(self.copied_results());
-        statements
+        let mut writer = self.writer();
+        given.iter().for_each(|step| writer.add(self.step(step)));
+        writer.add(self.declared_results());
+        if uses_numbers(self.body) {
+            let c = helper("c");
+            writer.add(quote!(let #c = T::constant;));
+        }
+        writer.add(loops::declarations(self));
+        self.write_steps(&mut writer, steps, |step| self.step(step));
+        writer.add(self.copied_results());
+        writer.finish()
     }
 
     fn step(&self, step: &Step) -> TokenStream {
@@ -247,10 +247,9 @@ fn entry(to: &ArraySlice) -> Ident {
     helper(&format!("n{}_{}", to.array.index(), to.first))
 }
 
-/// Returns the body of a function: statements, then `rest`. It is a group so that `quote!` need not copy every token.
-pub fn body(mut statements: TokenStream, rest: TokenStream) -> Group {
-    statements.extend(rest);
-    Group::new(Delimiter::Brace, statements)
+/// Returns the body of a function that consists of these parts. It is a group so that `quote!` need not copy every token.
+pub fn body<const N: usize>(parts: [TokenStream; N]) -> Group {
+    Group::new(Delimiter::Brace, parts.into_iter().collect())
 }
 
 /// Returns whether some steps contain a known number.

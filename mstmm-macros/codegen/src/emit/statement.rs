@@ -244,8 +244,9 @@ impl<'a> Writer<'a> {
         match operand {
             Operand::Number(value) => self.number(*value),
             Operand::Value(value) => self.name(*value),
-            Operand::Minus(inner) => {
-                self.call("negate", [inner], varying);
+            Operand::Minus(value) => {
+                self.function("negate", varying);
+                self.group(Delimiter::Parenthesis, |inner| inner.name(*value));
             }
         }
     }

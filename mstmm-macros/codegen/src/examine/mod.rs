@@ -59,6 +59,15 @@ pub struct Mobility {
     pub redundant: usize,
 }
 
+/// The hinges with a zero pivot.
+#[derive(Default)]
+struct SingularHinges {
+    /// Those at the start, or in the first state that fits Rust constants.
+    at_start: Vec<HingeId>,
+    /// Those in all states: what they move has no inertia.
+    always: Vec<HingeId>,
+}
+
 /// Returns the name of the hinge that closes a chain.
 fn closing_hinge<'a>(chain: &'a Chain, merged: &Layout) -> Option<&'a str> {
     merged.loop_hinges.first().map(|&hinge| chain.hinges[hinge].path.as_str())
@@ -69,11 +78,14 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     let whole = chain.count_elements(usize::MAX) <= ELEMENTS;
     let most = if whole { usize::MAX } else { CUT_SHORT };
     let mut dry_run = DryRun::new(chain.unrolled(most));
-    if !dry_run.merged.loop_hinges.is_empty() && !dry_run.massless_hinges().is_empty() {
+    let mut singular = dry_run.singular_hinges();
+    if !dry_run.merged.loop_hinges.is_empty() && !singular.always.is_empty() {
         // The loop constraints may hold bodies that have no inertia in some direction.
         dry_run.held_by_closure = true;
+        singular = dry_run.singular_hinges();
     }
-    let moves_all = dry_run.refuse_massless_hinges(diagnostics);
+    let moves_all = singular.always.is_empty();
+    dry_run.refuse_massless_hinges(&singular.always, diagnostics);
     let held_by_closure = dry_run.held_by_closure;
     // A final weld next to a repeated part is merged if the chain is written out: another hinge closes it then.
     let closes_alike = closing_hinge(&dry_run.chain, &dry_run.merged)
@@ -84,7 +96,7 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
         return Findings { held_by_closure, closure_rank, ..Findings::default() };
     }
     if moves_all {
-        dry_run.warn_of_singular_accelerations(diagnostics);
+        dry_run.warn_of_singular_accelerations(&singular.at_start, diagnostics);
     }
     let closed = dry_run.closed_poses();
     let closes_from_start = !matches!(closed[..], [None, ..]);
@@ -115,29 +127,31 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
 }
 
 impl DryRun {
-    /// Returns the hinges with a zero pivot in all states: what they move has no inertia.
-    fn massless_hinges(&self) -> Vec<HingeId> {
-        let mut massless: Option<Vec<HingeId>> = None;
+    /// Returns the hinges with zero pivots.
+    fn singular_hinges(&self) -> SingularHinges {
+        let mut found: Option<SingularHinges> = None;
         for seed in 0..STATES {
             let values = values(&self.chain, seed);
             if !self.fits(&values) {
                 continue;
             }
-            let now = self.singular_hinges(&values, &self.pose(&values, seed));
-            let still: Vec<HingeId> = match massless {
-                None => now,
-                Some(before) => before.into_iter().filter(|hinge| now.contains(hinge)).collect(),
+            let now = self.singular_in(&values, &self.pose(&values, seed));
+            let found = match &mut found {
+                None => found.insert(SingularHinges { at_start: now.clone(), always: now }),
+                Some(found) => {
+                    found.always.retain(|hinge| now.contains(hinge));
+                    found
+                }
             };
-            if still.is_empty() {
-                return still;
+            if found.always.is_empty() {
+                break;
             }
-            massless = Some(still);
         }
-        massless.unwrap_or_default()
+        found.unwrap_or_default()
     }
 
     /// Returns the hinges with a zero pivot in this pose.
-    fn singular_hinges(&self, values: &SymbolValues<Number>, pose: &Configuration) -> Vec<HingeId> {
+    fn singular_in(&self, values: &SymbolValues<Number>, pose: &Configuration) -> Vec<HingeId> {
         let solved = self.solved(values, pose);
         let vanishing = solved.pivots.iter().filter(|pivot| {
             let (value, scale) = (pivot.value.value(), pivot.scale.value());
@@ -161,16 +175,15 @@ impl DryRun {
         conditions.all(|condition| condition.must.holds(values.scalar(&condition.value).value()))
     }
 
-    /// Reports hinges that move no inertia. Returns whether there are none.
-    fn refuse_massless_hinges(&self, diagnostics: &mut Diagnostics) -> bool {
+    /// Reports hinges that move no inertia.
+    fn refuse_massless_hinges(&self, massless: &[HingeId], diagnostics: &mut Diagnostics) {
         let mut reported: Vec<&Ident> = Vec::new();
-        for hinge in self.massless_hinges().into_iter().map(|hinge| &self.chain.hinges[hinge]) {
+        for hinge in massless.iter().map(|&hinge| &self.chain.hinges[hinge]) {
             if !reported.contains(&&hinge.name) {
                 reported.push(&hinge.name);
                 diagnostics.error(hinge.name.span(), self.massless_message(hinge));
             }
         }
-        reported.is_empty()
     }
 
     /// Returns the message for a hinge that moves no inertia.
@@ -233,12 +246,12 @@ impl DryRun {
         let chain = &self.chain;
         let is_prescribed = chain.hinges.iter().any(Hinge::is_prescribed);
         let is_known = chain.geometry_is_known() && chain.constants == 0;
-        let reaction = self.solved(&self.values, &self.pose(&self.values, 0)).reaction;
-        match reaction {
-            Some(reaction) if !is_prescribed && !is_known => {
-                ClosureRank::FoundAtRunTime(reaction.undetermined.len())
-            }
-            _ => ClosureRank::Unknown,
+        if self.merged.loop_hinges.is_empty() || is_prescribed || is_known {
+            return ClosureRank::Unknown;
+        }
+        match self.solved(&self.values, &self.pose(&self.values, 0)).reaction {
+            Some(reaction) => ClosureRank::FoundAtRunTime(reaction.undetermined.len()),
+            None => ClosureRank::Unknown,
         }
     }
 

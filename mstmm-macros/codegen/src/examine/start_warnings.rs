@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use super::dry_run::{Configuration, DryRun, Number};
 use crate::diag::Diagnostics;
 use crate::equations;
-use crate::model::{Hinge, Limits, Passive, Value};
+use crate::model::{Hinge, HingeId, Limits, Passive, Value};
 
 /// The name of the warning of a closed chain that cannot be closed near its start.
 const OPEN_LOOP: &str = "CHAIN_NOT_CLOSED_NEAR_ITS_START";
@@ -66,13 +66,16 @@ impl DryRun {
     }
 
     /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
-    pub fn warn_of_singular_accelerations(&self, diagnostics: &mut Diagnostics) {
+    pub fn warn_of_singular_accelerations(
+        &self,
+        at_start: &[HingeId],
+        diagnostics: &mut Diagnostics,
+    ) {
         let is_closed = !self.merged.loop_hinges.is_empty();
         if is_closed || self.chain.hinges.iter().any(Hinge::is_prescribed) {
             return;
         }
-        for hinge in self.singular_hinges(&self.values, &self.pose(&self.values, 0)) {
-            let hinge = &self.chain.hinges[hinge];
+        for hinge in at_start.iter().map(|&hinge| &self.chain.hinges[hinge]) {
             let name = &hinge.path;
             let message = format!(
                 "accelerations are `Singular` at the start: there hinge `{name}` is free in a direction in which the bodies \

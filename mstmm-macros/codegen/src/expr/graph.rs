@@ -1,8 +1,8 @@
 //! The graph: a list of distinct nodes.
 
 use super::{Edge, Expr, Node, NodeId};
-use crate::ids::SymbolId;
-use std::cell::RefCell;
+use crate::ids::{SymbolId, copies};
+use std::cell::{Ref, RefCell};
 
 /// The time at which the value of a formula becomes known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,7 +58,7 @@ impl Index {
         if 2 * nodes.len() < self.buckets.len() {
             return;
         }
-        self.buckets = vec![None; (2 * self.buckets.len()).max(Self::MIN_BUCKETS)];
+        self.buckets = copies(None, (2 * self.buckets.len()).max(Self::MIN_BUCKETS));
         for (id, &node) in nodes.iter().enumerate() {
             let bucket = self.bucket(nodes, node);
             self.buckets[bucket] = Some(id as NodeId);
@@ -109,6 +109,11 @@ impl Graph {
     /// Returns the node with this id.
     pub fn node(&self, id: NodeId) -> Node {
         self.inner.borrow().nodes[id as usize]
+    }
+
+    /// Returns all nodes, by id. The graph must not grow while they are borrowed.
+    pub fn nodes(&self) -> Ref<'_, [Node]> {
+        Ref::map(self.inner.borrow(), |inner| &inner.nodes[..])
     }
 
     /// Returns the id of `node`, if the graph has it.

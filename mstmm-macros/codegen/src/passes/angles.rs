@@ -22,7 +22,10 @@ pub(super) fn angles(
         if stage == Stage::State && graph.stage(id) < Stage::State {
             continue;
         }
-        let below = node.operands().map(|edge| depths[edge.node() as usize]).max().unwrap_or(0);
+        let mut below = 0;
+        for operand in node.operands() {
+            below = below.max(depths[operand.node() as usize]);
+        }
         depths[id as usize] = below;
         if let Node::Sin(angle) | Node::Cos(angle) = node {
             depths[id as usize] = below + 1;

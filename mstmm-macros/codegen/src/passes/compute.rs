@@ -69,7 +69,7 @@ impl Linearizer<'_> {
         let (part, prefix) = (self.part_of(id), self.prefix().to_owned());
         let (index, name) = self.setup.slot(part, id, given, &prefix);
         let wanted = format!("known_{name}");
-        let value = self.fresh(wanted);
+        let value = self.program.names.fresh(wanted);
         self.names.insert(id, value);
         Slot { index, value }
     }
@@ -121,8 +121,10 @@ impl Linearizer<'_> {
                         let symbol = graph.symbol_of(angle);
                         let unknown = symbol.and_then(|it| self.function.unknowns.get(it));
                         let name = match unknown {
-                            Some(unknown) => self.fresh(format!("{prefix}_{}", unknown.name)),
-                            None => self.numbered(format!("{prefix}_{number}")),
+                            Some(unknown) => {
+                                self.program.names.fresh(format!("{prefix}_{}", unknown.name))
+                            }
+                            None => self.program.names.numbered(format!("{prefix}_{number}")),
                         };
                         self.names.insert(node, name);
                         Some(name)
@@ -139,7 +141,7 @@ impl Linearizer<'_> {
         if let Some(name) = self.names.get(id) {
             return name;
         }
-        let name = self.numbered(format!("t{}", self.temporaries));
+        let name = self.program.names.numbered(format!("t{}", self.temporaries));
         self.temporaries += 1;
         self.names.insert(id, name);
         name
@@ -151,8 +153,8 @@ impl Linearizer<'_> {
             let value = f64::from_bits(bits);
             return Operand::Number(if edge.is_negative() { 0.0 - value } else { value });
         }
-        let plain = Operand::Value(self.value(node));
-        if edge.is_negative() { Operand::Minus(Box::new(plain)) } else { plain }
+        let value = self.value(node);
+        if edge.is_negative() { Operand::Minus(value) } else { Operand::Value(value) }
     }
 
     /// Returns the value of a node, which must have been computed.

@@ -43,18 +43,21 @@ impl<'g> Sums<'g> {
 
     /// Returns all terms of a sum that is computed for every state; none for other nodes.
     pub(super) fn terms(&self, id: NodeId) -> Option<Vec<Edge>> {
-        let outer_terms = self.terms_as_written(id)?;
         let mut terms = Vec::new();
-        for term in outer_terms {
-            match self.inner[term.node() as usize].then(|| self.terms(term.node())).flatten() {
-                Some(inner) => {
-                    let signed = |t: Edge| if term.is_negative() { t.negated() } else { t };
-                    terms.extend(inner.into_iter().map(signed));
-                }
+        self.add_terms(self.terms_as_written(id)?, false, &mut terms);
+        Some(terms)
+    }
+
+    /// Adds two terms, or their negatives, with the terms of sums among them.
+    fn add_terms(&self, pair: [Edge; 2], negative: bool, terms: &mut Vec<Edge>) {
+        for term in pair {
+            let term = if negative { term.negated() } else { term };
+            let is_inner = self.inner[term.node() as usize];
+            match if is_inner { self.terms_as_written(term.node()) } else { None } {
+                Some(inner) => self.add_terms(inner, term.is_negative(), terms),
                 None => terms.push(term),
             }
         }
-        Some(terms)
     }
 
     fn terms_as_written(&self, id: NodeId) -> Option<[Edge; 2]> {

@@ -8,9 +8,9 @@ use super::select_fma::fused;
 use super::{Live, LoopId, Region, Regions, SetupSlots};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
 use crate::function::{Function, Heading, NamedPivot};
-use crate::ids::{IdVec, SymbolId};
+use crate::ids::{IdVec, SymbolId, copies};
 use crate::program::{Block, BlockId, Program, Section, Slot, Statement, ValueId, ValueNames};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Returns the program of a function. A function of stage [`Stage::State`] reads values that are known since setup from
 /// slots, which are added to `setup`; a function of stage [`Stage::Setup`] computes them.
@@ -48,8 +48,6 @@ pub(super) struct Linearizer<'a> {
     pub(super) slots: HashMap<NodeId, Slot>,
     /// The blocks of the finished loops.
     pub(super) blocks: HashMap<LoopId, BlockId>,
-    /// The names in use.
-    taken: HashSet<String>,
     /// Whether a node has been computed.
     pub(super) done: Vec<bool>,
     /// The last request that reached a node.
@@ -74,6 +72,8 @@ impl<'a> Linearizer<'a> {
         let graph = function.graph;
         let (angles, depths) = angles(graph, &live, regions, function.stage);
         let fused = fused(graph, &live, regions, function.stage);
+        let mut names = ValueNames::default();
+        names.reserve(function.unknowns.iter().map(|unknown| unknown.name.clone()));
         Linearizer {
             function,
             graph,
@@ -86,12 +86,11 @@ impl<'a> Linearizer<'a> {
             names: NodeValues::new(graph.len()),
             blocks: HashMap::new(),
             slots: HashMap::new(),
-            taken: function.unknowns.iter().map(|unknown| unknown.name.clone()).collect(),
             done: vec![false; graph.len()],
             reached_by: vec![0; graph.len()],
             requests: 0,
             program: Program {
-                names: ValueNames::default(),
+                names,
                 unknowns: Vec::new(),
                 slots: Vec::new(),
                 blocks: IdVec::new(),
@@ -101,7 +100,7 @@ impl<'a> Linearizer<'a> {
             sections: Vec::new(),
             owners: Owners::of(function),
             current: 0,
-            section_of: vec![None; graph.len()],
+            section_of: copies(None, graph.len()),
             temporaries: 0,
         }
     }
@@ -112,39 +111,17 @@ impl<'a> Linearizer<'a> {
         let computed = !matches!(self.graph.node(node), Node::Number(_) | Node::Symbol(_));
         if computed && self.live.has(node) && self.names.get(node).is_none() {
             let sign = if edge.is_negative() { "minus_" } else { "" };
-            let name = self.fresh(format!("{sign}{name}"));
+            let name = self.program.names.fresh(format!("{sign}{name}"));
             self.names.insert(node, name);
         }
-    }
-
-    /// Adds a value with a meaningful name, made unique by a number if it is in use.
-    pub(super) fn fresh(&mut self, wanted: String) -> ValueId {
-        let text = self.free(wanted);
-        self.program.names.add(text)
-    }
-
-    /// Adds a value with a generated name, made unique in the same way.
-    pub(super) fn numbered(&mut self, wanted: String) -> ValueId {
-        let text = self.free(wanted);
-        self.program.names.add_numbered(text)
-    }
-
-    /// Returns an unused name.
-    fn free(&mut self, wanted: String) -> String {
-        if self.taken.insert(wanted.clone()) {
-            return wanted;
-        }
-        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-        let mut free = numbered.filter(|name| self.taken.insert(name.clone()));
-        free.next().unwrap_or_else(|| bug!("there are no numbers left"))
     }
 
     /// Names the loop-carried values.
     fn name_carries(&mut self) {
         for (number, loop_) in self.regions.loops.iter().enumerate() {
             for (place, carry) in loop_.carries.iter().enumerate() {
-                let exit = self.numbered(format!("carry{number}_{place}"));
-                let phi = self.numbered(format!("carry{number}_{place}_before"));
+                let exit = self.program.names.numbered(format!("carry{number}_{place}"));
+                let phi = self.program.names.numbered(format!("carry{number}_{place}_before"));
                 for (symbol, value) in [(carry.phi, phi), (carry.exit, exit)] {
                     if let Some(node) = self.graph.find(Node::Symbol(symbol)) {
                         self.names.insert(node, value);
@@ -272,6 +249,7 @@ impl<'a> Linearizer<'a> {
             return;
         }
         self.requests += 1;
+        let nodes = self.graph.nodes();
         let mut needed = Vec::new();
         let mut open = vec![node];
         while let Some(id) = open.pop() {
@@ -282,7 +260,7 @@ impl<'a> Linearizer<'a> {
             *reached_by = self.requests;
             needed.push(id);
             if !self.is_slot(id) {
-                for operand in self.graph.node(id).operands() {
+                for operand in nodes[id as usize].operands() {
                     open.push(operand.node());
                 }
             }

@@ -13,7 +13,8 @@ pub struct Live {
 impl Live {
     /// Finds the nodes that `results` need.
     pub fn of(graph: &Graph, results: impl IntoIterator<Item = Edge>) -> Self {
-        let mut uses = vec![0; graph.len()];
+        let of_graph = graph.nodes();
+        let mut uses = vec![0; of_graph.len()];
         let mut nodes = Vec::new();
         // The number of live nodes that the walk has not reached.
         let mut open = 0;
@@ -32,7 +33,7 @@ impl Live {
             }
             open -= 1;
             nodes.push(next as NodeId);
-            for operand in graph.node(next as NodeId).operands() {
+            for operand in of_graph[next].operands() {
                 let uses = &mut uses[operand.node() as usize];
                 open += usize::from(*uses == 0);
                 *uses += 1;

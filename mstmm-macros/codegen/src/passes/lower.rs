@@ -187,7 +187,7 @@ impl Lowering<'_> {
         }
         for (pivot, value, scale) in &loop_.pivots {
             let Some(check) = self.checks[*pivot] else { bug!("a pivot of a loop has no test") };
-            let (value, scale) = (value.clone(), scale.clone());
+            let (value, scale) = (*value, *scale);
             body.push(Step::CheckPivot { check, value, scale });
         }
         let (repeat, inward, carries) = (loop_.repeat, loop_.inward, loop_.carries.clone());
@@ -211,7 +211,7 @@ impl Lowering<'_> {
         let numbers = self.function.entries_of(output.id);
         let own = loop_.results.iter().filter(|(number, _)| numbers.contains(number));
         let values: Vec<(usize, Operand)> =
-            own.map(|(number, value)| (number - numbers.start, value.clone())).collect();
+            own.map(|(number, value)| (number - numbers.start, *value)).collect();
         if values.is_empty() {
             return Vec::new();
         }
@@ -250,7 +250,7 @@ impl Lowering<'_> {
                             self.arrays[array].initial.push((segment.offset + first, *known));
                         }
                         Some(_) => {
-                            let values = vec![value.clone()];
+                            let values = vec![*value];
                             steps.push(Step::Store { to: slice(first), values });
                         }
                         None => bug!("a result is missing"),
@@ -332,12 +332,12 @@ impl Lowering<'_> {
                 }
             } else {
                 let witnesses = finiteness.witnesses.iter();
-                finite.extend(witnesses.map(|&value| Witness::Value(value.clone())));
+                finite.extend(witnesses.map(|&value| Witness::Value(*value)));
             }
         }
         let pivots = self.function.pivots.iter().enumerate().map(|(number, pivot)| {
             let found = match (&self.program.pivots[number], self.checks[number]) {
-                (Some((value, scale)), _) => PivotValue::Once(value.clone(), scale.clone()),
+                (Some((value, scale)), _) => PivotValue::Once(*value, *scale),
                 (None, Some(check)) => PivotValue::Repeated(check),
                 (None, None) => bug!("a pivot is not tested"),
             };

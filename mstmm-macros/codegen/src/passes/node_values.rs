@@ -1,6 +1,7 @@
 //! The values of nodes.
 
 use crate::expr::NodeId;
+use crate::ids::copies;
 use crate::program::ValueId;
 
 /// The values of a program, by node.
@@ -9,7 +10,7 @@ pub(super) struct NodeValues(Vec<Option<ValueId>>);
 impl NodeValues {
     /// Returns an empty table for this number of nodes.
     pub(super) fn new(nodes: usize) -> Self {
-        NodeValues(vec![None; nodes])
+        NodeValues(copies(None, nodes))
     }
 
     pub(super) fn get(&self, node: NodeId) -> Option<ValueId> {

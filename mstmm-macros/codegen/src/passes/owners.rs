@@ -3,6 +3,7 @@
 
 use crate::expr::{Edge, NodeId};
 use crate::function::Function;
+use crate::ids::copies;
 use std::collections::HashMap;
 
 /// For each node, the index of the first heading that needs it.
@@ -27,7 +28,7 @@ impl Owners {
             }
         }
         let [same, any] = [&HashMap::new(), &carried].map(|carried| {
-            let mut owners = vec![None; graph.len()];
+            let mut owners = copies(None, graph.len());
             for (number, heading) in function.headings.iter().enumerate() {
                 let mut open: Vec<NodeId> =
                     heading.values.iter().map(|(_, edge)| edge.node()).collect();

@@ -3,6 +3,7 @@
 use super::Region;
 use super::latency::{MULTIPLICATION, of_node};
 use crate::expr::{Edge, Graph, Node, NodeId, Stage};
+use crate::ids::copies;
 
 /// The times at which nodes are ready, in cycles from the start of the program, or of the repetition of the loop that
 /// computes them.
@@ -19,7 +20,7 @@ impl<'g> ReadyTimes<'g> {
         nodes: &[NodeId],
         region: impl Fn(NodeId) -> Region,
     ) -> Self {
-        let mut times = ReadyTimes { graph, times: vec![None; graph.len()] };
+        let mut times = ReadyTimes { graph, times: copies(None, graph.len()) };
         for &id in nodes {
             times.add(id, region(id));
         }
@@ -52,15 +53,17 @@ impl<'g> ReadyTimes<'g> {
     }
 
     fn ready(&self, id: NodeId, region: Region) -> u32 {
-        let formula = self.graph.node(id);
         if self.graph.stage(id) < Stage::State {
             return 0;
         }
+        let formula = self.graph.node(id);
         let known = |edge: Edge| self.at(region, edge.node());
-        let Node::Sum(a, b) = formula else {
-            return formula.operands().map(known).max().unwrap_or(0) + of_node(&formula);
-        };
-        let separate = known(a).max(known(b)) + of_node(&formula);
+        let mut separate = 0;
+        for operand in formula.operands() {
+            separate = separate.max(known(operand));
+        }
+        separate += of_node(&formula);
+        let Node::Sum(a, b) = formula else { return separate };
         // A fused product waits for its factors only.
         let fused = |product: Edge, other: Edge| {
             matches!(self.graph.node(product.node()), Node::Product(..)).then(|| {
@@ -68,7 +71,10 @@ impl<'g> ReadyTimes<'g> {
                 known(other).max(factors) + MULTIPLICATION
             })
         };
-        let earliest = fused(a, b).into_iter().chain(fused(b, a)).min();
-        earliest.unwrap_or(separate)
+        match (fused(a, b), fused(b, a)) {
+            (Some(first), Some(second)) => first.min(second),
+            (Some(only), None) | (None, Some(only)) => only,
+            (None, None) => separate,
+        }
     }
 }

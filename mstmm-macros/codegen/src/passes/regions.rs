@@ -3,7 +3,7 @@
 use super::Live;
 use crate::expr::{Edge, Graph, Node, NodeId};
 use crate::function::{Dependence, Function, Loop, SymbolDependences};
-use crate::ids::{IdRange, IdVec, RepeatId, SymbolId, declare_id};
+use crate::ids::{IdRange, IdVec, RepeatId, SymbolId, copies, declare_id};
 
 declare_id! {
     /// A loop of a function, in the order in which the loops run.
@@ -44,7 +44,7 @@ impl Regions {
         let graph = function.graph;
         let symbols = SymbolDependences::of(function.unknowns, loops.iter())
             .with_factor_after(function.loops_before_factor);
-        let mut dependences = vec![Dependence::NONE; graph.len()];
+        let mut dependences = copies(Dependence::NONE, graph.len());
         for &id in live.nodes() {
             dependences[id as usize] = symbols.node(graph, id, &dependences);
         }
@@ -80,6 +80,9 @@ impl Regions {
 
 /// Removes the loop-carried values that no result needs, and loops without carries.
 pub fn drop_unused_carries(mut function: Function) -> Function {
+    if function.loops.is_empty() {
+        return function;
+    }
     let graph = function.graph;
     let mut needed: Vec<Vec<bool>> =
         function.loops.iter().map(|loop_| vec![false; loop_.carries.len()]).collect();

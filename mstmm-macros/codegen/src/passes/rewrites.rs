@@ -2,6 +2,7 @@
 
 use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::function::Function;
+use crate::ids::copies;
 
 /// The image of every node that a function needs.
 #[derive(Clone, Debug)]
@@ -10,7 +11,7 @@ pub(super) struct Images(Vec<Option<Edge>>);
 impl Images {
     /// Returns an empty table for the current nodes of a graph.
     pub(super) fn new(graph: &Graph) -> Self {
-        Images(vec![None; graph.len()])
+        Images(copies(None, graph.len()))
     }
 
     pub(super) fn set(&mut self, node: NodeId, image: Expr, graph: &Graph) {

@@ -13,17 +13,21 @@ pub(super) fn fused(graph: &Graph, live: &Live, regions: &Regions, stage: Stage)
     let times = ReadyTimes::of(graph, live.nodes(), |id| regions.region(id));
     for &id in live.nodes() {
         let Node::Sum(a, b) = graph.node(id) else { continue };
-        let belongs = |term: &Edge| {
+        let belongs = |term: Edge| {
             let node = term.node();
             matches!(graph.node(node), Node::Product(..))
                 && live.uses(node) == 1
                 && (stage < Stage::State || graph.stage(node) == stage)
                 && regions.region(node) == regions.region(id)
         };
-        let ready = |term: &Edge| times.at(regions.region(id), term.node());
-        if let Some(term) = [a, b].into_iter().filter(belongs).max_by_key(ready) {
-            fused[term.node() as usize] = true;
-        }
+        let ready = |term: Edge| times.at(regions.region(id), term.node());
+        let term = match (belongs(a), belongs(b)) {
+            (true, true) if ready(a) > ready(b) => a,
+            (_, true) => b,
+            (true, false) => a,
+            (false, false) => continue,
+        };
+        fused[term.node() as usize] = true;
     }
     fused
 }

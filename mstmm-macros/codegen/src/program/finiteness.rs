@@ -147,18 +147,17 @@ mod tests {
         let statement = Statement::Let;
         let [read_a, read_b, read_c, read_x, read_y, read_z] =
             [a, b, c, x, y, z].map(Operand::Value);
-        let minus_y = Operand::Minus(Box::new(read_y.clone()));
+        let minus_y = Operand::Minus(y);
         let statements = vec![
-            statement(a, Operation::Sum(read_x.clone(), read_y)),
-            statement(b, Operation::Recip(read_a.clone())),
-            statement(c, Operation::Product(read_a.clone(), minus_y)),
-            statement(d, Operation::Difference(read_c.clone(), read_a.clone())),
+            statement(a, Operation::Sum(read_x, read_y)),
+            statement(b, Operation::Recip(read_a)),
+            statement(c, Operation::Product(read_a, minus_y)),
+            statement(d, Operation::Difference(read_c, read_a)),
         ];
         let section = Section { statements, ..Section::default() };
-        let minus_d = Operand::Minus(Box::new(Operand::Value(d)));
+        let minus_d = Operand::Minus(d);
         let known = Operand::Number(1.0);
-        let all =
-            vec![minus_d.clone(), read_c, read_b.clone(), read_a, read_z.clone(), read_x, known];
+        let all = vec![minus_d, read_c, read_b, read_a, read_z, read_x, known];
         let program = Program {
             names,
             unknowns: [x, y, z].into_iter().enumerate().map(|(k, it)| (SymbolId(k), it)).collect(),

@@ -109,8 +109,7 @@ fn magnitude(operation: &Operation, magnitudes: &[f64]) -> f64 {
 fn of_operand(operand: &Operand, magnitudes: &[f64]) -> f64 {
     match operand {
         Operand::Number(number) => number.abs(),
-        Operand::Value(value) => magnitudes[value.index()],
-        Operand::Minus(inner) => of_operand(inner, magnitudes),
+        Operand::Value(value) | Operand::Minus(value) => magnitudes[value.index()],
     }
 }
 
@@ -154,8 +153,8 @@ mod tests {
 
     #[test]
     fn bounds_are_as_large_as_the_values_allow() {
-        let square = |v: &[Operand]| Operation::Product(v[1].clone(), v[1].clone());
-        let times = |v: &[Operand], k: usize| Operation::Product(v[k].clone(), v[1].clone());
+        let square = |v: &[Operand]| Operation::Product(v[1], v[1]);
+        let times = |v: &[Operand], k: usize| Operation::Product(v[k], v[1]);
         assert_eq!(exponent(|v| vec![square(v), times(v, 2)]), Some(32));
         // The fourth power is 2^128 at 2^32.
         assert_eq!(exponent(|v| vec![square(v), times(v, 2), times(v, 3)]), Some(24));
@@ -165,7 +164,7 @@ mod tests {
         assert_eq!(exponent(powers), Some(16));
         let large = |v: &[Operand]| {
             let factor = Operand::Number(1e30);
-            vec![Operation::MulAdd(v[1].clone(), v[1].clone(), factor.clone()), times(v, 2)]
+            vec![Operation::MulAdd(v[1], v[1], factor), times(v, 2)]
         };
         assert_eq!(exponent(large), Some(20));
     }
@@ -190,7 +189,7 @@ mod tests {
 
     #[test]
     fn operations_that_may_be_undefined_have_no_bounds() {
-        let of_first = |v: &[Operand]| v[0].clone();
+        let of_first = |v: &[Operand]| v[0];
         assert_eq!(exponent(|v| vec![Operation::Recip(of_first(v))]), None);
         assert_eq!(exponent(|v| vec![Operation::Sqrt(of_first(v))]), None);
         assert_eq!(exponent(|v| vec![Operation::RecipAbove(of_first(v), of_first(v))]), None);

@@ -171,26 +171,74 @@ impl Statement {
         let (single, several) = match self {
             Statement::Let(name, _)
             | Statement::Pack { pack: name, .. }
-            | Statement::Lane { value: name, .. } => (Some(*name), None),
-            Statement::SinCos { sines, cosines, .. } => (None, Some(sines.iter().chain(cosines))),
+            | Statement::Lane { value: name, .. } => (Some(*name), [&[][..]; 2]),
+            Statement::SinCos { sines, cosines, .. } => (None, [&sines[..], cosines]),
         };
-        single.into_iter().chain(several.into_iter().flatten().filter_map(|name| *name))
+        DefinedValues { single, several }
     }
 
     /// Iterates over its operands, except the pack that a lane is read from.
     pub fn operands(&self) -> impl Iterator<Item = &Operand> {
-        let (operands, several) = match self {
+        let (few, several) = match self {
             Statement::Let(_, operation) => (operation.operands(), &[][..]),
             Statement::SinCos { angles, .. } => ([None; 3], &angles[..]),
             Statement::Pack { values, .. } => ([None; 3], &values[..]),
             Statement::Lane { .. } => ([None; 3], &[][..]),
         };
-        operands.into_iter().flatten().chain(several)
+        StatementOperands { few, several }
+    }
+}
+
+// These iterators are written by hand because macros are built unoptimised, where they cost a fraction of chains of iterators.
+
+/// An iterator over the values that a statement defines.
+struct DefinedValues<'a> {
+    single: Option<ValueId>,
+    several: [&'a [Option<ValueId>]; 2],
+}
+
+impl Iterator for DefinedValues<'_> {
+    type Item = ValueId;
+
+    fn next(&mut self) -> Option<ValueId> {
+        if self.single.is_some() {
+            return self.single.take();
+        }
+        for values in &mut self.several {
+            while let [first, rest @ ..] = *values {
+                *values = rest;
+                if first.is_some() {
+                    return *first;
+                }
+            }
+        }
+        None
+    }
+}
+
+/// An iterator over the operands of a statement.
+struct StatementOperands<'a> {
+    /// Up to three, the missing ones last.
+    few: [Option<&'a Operand>; 3],
+    several: &'a [Operand],
+}
+
+impl<'a> Iterator for StatementOperands<'a> {
+    type Item = &'a Operand;
+
+    fn next(&mut self) -> Option<&'a Operand> {
+        if let [Some(first), second, third] = self.few {
+            self.few = [second, third, None];
+            return Some(first);
+        }
+        let (first, rest) = self.several.split_first()?;
+        self.several = rest;
+        Some(first)
     }
 }
 
 /// An arithmetic operation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operation {
     /// `a + b`
     Sum(Operand, Operand),
@@ -235,24 +283,28 @@ impl Operation {
 }
 
 /// An operand of an operation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
     /// A known number.
     Number(f64),
     /// A value that was read or computed before.
     Value(ValueId),
     /// The negative of a value.
-    Minus(Box<Operand>),
+    Minus(ValueId),
 }
 
 impl Operand {
     /// Returns the value that it is or negates.
     pub fn value(&self) -> Option<ValueId> {
         match self {
-            Operand::Value(value) => Some(*value),
-            Operand::Minus(inner) => inner.value(),
+            Operand::Value(value) | Operand::Minus(value) => Some(*value),
             Operand::Number(_) => None,
         }
+    }
+
+    /// Returns whether it is the negative of a value.
+    pub fn is_negated(&self) -> bool {
+        matches!(self, Operand::Minus(_))
     }
 
     /// Returns whether it is a known number.

@@ -342,6 +342,7 @@ impl<S: Judge> Machine<'_, S> {
     fn value(&self, operand: &Operand) -> S {
         match operand {
             Operand::Number(number) => S::number(*number),
+            Operand::Minus(value) => -self.value(&Operand::Value(*value)),
             Operand::Value(value) => {
                 if let Some(lanes) = self.packs.get(value) {
                     return lanes[self.lane];
@@ -349,7 +350,6 @@ impl<S: Judge> Machine<'_, S> {
                 let text = self.procedure.values.text(*value);
                 self.values[value.index()].unwrap_or_else(|| panic!("`{text}` has no value"))
             }
-            Operand::Minus(inner) => -self.value(inner),
         }
     }
 }

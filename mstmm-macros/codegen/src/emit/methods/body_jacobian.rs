@@ -47,7 +47,7 @@ fn method(cx: &EmitContext, of: BodyId, procedure: &Procedure) -> TokenStream {
     let statements = cx.procedure(procedure, &TokenStream::new(), |_| {
         Destination::Matrix(quote!((*jacobian_)), dimension.axes().len())
     });
-    let body = body(statements, quote!(::core::result::Result::Ok(())));
+    let body = body([statements, quote!(::core::result::Result::Ok(()))]);
     quote! {
         #[doc(alias("computeFrameJacobian", "mj_jac", "mj_jacSite", "getFrameJacobian", "tool Jacobian"))]
         #[doc = #doc]

@@ -58,11 +58,11 @@ fn product(cx: &EmitContext, answer: Answer) -> TokenStream {
     let procedure = &cx.compiled.function(answer).procedure;
     let [once, columns] = cx.procedure_of_columns(procedure, destination);
     let factor_name = factor_name(answer);
-    let columns = body(columns, quote!(::core::result::Result::Ok(())));
-    let once = body(
+    let columns = body([columns, quote!(::core::result::Result::Ok(()))]);
+    let once = body([
         once,
         quote!(products_(&mut |#factor_name: &#factor, product_: &mut #product| #columns)),
-    );
+    ]);
     quote! {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn #name<C: #mstmm::Columns<T>>(

@@ -135,7 +135,7 @@ fn method(cx: &EmitContext, function: &CompiledFunction) -> TokenStream {
         Answer::Regressor => regressor_by_rates::emit(cx),
         _ => packed::emit(cx, function),
     };
-    let body = body(quote!(#dispatch #opening #statements), end);
+    let body = body([dispatch, opening, statements, end]);
     quote! {
         #packed
         #before

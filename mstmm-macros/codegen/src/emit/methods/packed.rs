@@ -24,7 +24,7 @@ pub(super) fn emit(cx: &EmitContext, function: &CompiledFunction) -> (TokenStrea
     let name = helper(&format!("{}_packed", answer.name()));
     let passed = names(&arguments);
     let statements = cx.procedure_of_packs(procedure, &fresh(answer), |id| destination(cx, id));
-    let body = body(quote!(#opening #statements), end);
+    let body = body([opening, statements, end]);
     let dispatch = quote! {
         if <<T as #mstmm::Scalar>::Pack as #mstmm::Columns<T>>::COUNT >= #lanes {
             return self.#name::<<T as #mstmm::Scalar>::Pack>(#(#passed),*);

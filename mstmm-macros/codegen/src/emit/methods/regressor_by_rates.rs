@@ -35,7 +35,7 @@ pub(super) fn emit(cx: &EmitContext) -> (TokenStream, TokenStream) {
     };
     let (given, returns) = (of_accelerations(cx), fallible(cx, &quote!(())));
     let (rows, columns) = size(cx);
-    let body = body(statements(cx, function), quote!(::core::result::Result::Ok(())));
+    let body = body([statements(cx, function), quote!(::core::result::Result::Ok(()))]);
     let method = quote! {
         #[allow(unused_doc_comments, unused_variables, clippy::all)]
         fn regressor_by_rates_<C: #mstmm::Columns<T>>(

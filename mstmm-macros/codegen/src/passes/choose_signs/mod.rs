@@ -14,8 +14,8 @@
 mod negations;
 mod rewrite;
 
-use crate::program::{Operand, Operation, PivotValue, Procedure, Statement, Step, ValueId};
-use negations::{is_minus, negations, takes_signs};
+use crate::program::{Operand, PivotValue, Procedure, Statement, Step, ValueId};
+use negations::{Place, TermSign, takes_signs};
 
 /// The number of values on a path that are negated together.
 const LONGEST_PATH: usize = 8;
@@ -28,17 +28,22 @@ pub fn choose_signs(procedure: Procedure) -> Procedure {
     let mut search = Search::new(&procedure);
     search.run();
     let negated = search.negated;
-    negate(procedure, negated)
+    rewritten(procedure, &negated)
 }
 
 /// Computes the negatives of some values, by id. Values whose sign is given keep it.
-pub fn negate(mut procedure: Procedure, mut values: Vec<bool>) -> Procedure {
+pub fn negate(procedure: Procedure, mut values: Vec<bool>) -> Procedure {
     for (value, is_free) in values.iter_mut().zip(free_values(&procedure)) {
         *value &= is_free;
     }
+    rewritten(procedure, &values)
+}
+
+/// Computes the negatives of some values, whose signs are free.
+fn rewritten(mut procedure: Procedure, values: &[bool]) -> Procedure {
     if values.contains(&true) {
-        rewrite::steps(&mut procedure.body, &values);
-        rewrite::names(&mut procedure.values, &values);
+        rewrite::steps(&mut procedure.body, values);
+        rewrite::names(&mut procedure.values, values);
     }
     procedure
 }
@@ -66,33 +71,24 @@ fn free_values(procedure: &Procedure) -> Vec<bool> {
     free
 }
 
-/// A place that reads values.
-enum Reader<'a> {
-    /// The operation that computes a value.
-    Operation(ValueId, &'a Operation),
-    /// A value that is read from a lane of a pack, and whether it is the negative.
-    Lane([ValueId; 2], bool),
-    /// An operand whose sign matters.
-    Operand(&'a Operand),
-}
-
 /// A search for the signs of all values.
-struct Search<'a> {
-    readers: Vec<Reader<'a>>,
-    /// The readers that a value belongs to, also as its result.
-    places: Vec<Vec<usize>>,
+struct Search {
+    /// The places that may need negations.
+    places: Vec<Place>,
+    /// The places at which the sign of a value matters, by value; none for values whose sign is given.
+    places_of: Vec<Vec<usize>>,
     /// Whether the negative of a value may be computed.
     is_free: Vec<bool>,
     /// Whether the negative of a value is computed.
     negated: Vec<bool>,
 }
 
-impl<'a> Search<'a> {
-    fn new(procedure: &'a Procedure) -> Self {
+impl Search {
+    fn new(procedure: &Procedure) -> Self {
         let count = procedure.values.count();
         let mut search = Search {
-            readers: Vec::new(),
-            places: vec![Vec::new(); count],
+            places: Vec::new(),
+            places_of: vec![Vec::new(); count],
             is_free: free_values(procedure),
             negated: vec![false; count],
         };
@@ -100,7 +96,7 @@ impl<'a> Search<'a> {
         search
     }
 
-    fn add_steps(&mut self, steps: &'a [Step]) {
+    fn add_steps(&mut self, steps: &[Step]) {
         for step in steps {
             match step {
                 Step::CheckArguments(_) | Step::TestBounds(_) | Step::Load { .. } => {}
@@ -128,15 +124,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn add_statement(&mut self, statement: &'a Statement) {
+    fn add_statement(&mut self, statement: &Statement) {
         match statement {
             Statement::Let(value, operation) => {
-                let operands = operation.operands().into_iter().flatten();
-                let values = operands.filter_map(Operand::value).chain([*value]);
-                self.add(Reader::Operation(*value, operation), values);
+                let places = Place::of_operation(*value, operation);
+                places.into_iter().flatten().for_each(|place| self.add(place));
             }
             Statement::Lane { value, pack, negative, .. } => {
-                self.add(Reader::Lane([*value, *pack], *negative), [*value, *pack]);
+                self.add(Place::of_lane(*value, *pack, *negative));
             }
             Statement::SinCos { angles: operands, .. }
             | Statement::Pack { values: operands, .. } => {
@@ -145,19 +140,21 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn read(&mut self, operand: &'a Operand) {
-        self.add(Reader::Operand(operand), operand.value());
+    fn read(&mut self, operand: &Operand) {
+        self.add(Place::of(TermSign::of(operand)));
     }
 
-    fn add(&mut self, reader: Reader<'a>, values: impl IntoIterator<Item = ValueId>) {
-        for value in values {
-            let places = &mut self.places[value.index()];
+    fn add(&mut self, place: Place) {
+        let index = self.places.len();
+        for value in &place.values() {
+            let Some(ValueId(value)) = *value else { continue };
+            let places = &mut self.places_of[value];
             // A square reads a value twice.
-            if places.last() != Some(&self.readers.len()) {
-                places.push(self.readers.len());
+            if self.is_free[value] && places.last() != Some(&index) {
+                places.push(index);
             }
         }
-        self.readers.push(reader);
+        self.places.push(place);
     }
 
     /// Negates values until no search saves negations.
@@ -165,13 +162,14 @@ impl<'a> Search<'a> {
         for _ in 0..SEARCHES {
             let mut changed = false;
             for value in (0..self.negated.len()).rev() {
-                if self.is_free[value] && self.change(value) < 0 {
+                let before = self.negations_at(value);
+                if before > 0 && self.change_from(value, before) < 0 {
                     self.negated[value] ^= true;
                     changed = true;
                 }
             }
-            for reader in 0..self.readers.len() {
-                changed |= self.negations(reader) > 0 && self.negate_path(reader);
+            for place in 0..self.places.len() {
+                changed |= self.needs_negation(place) && self.negate_path(place);
             }
             if !changed {
                 break;
@@ -182,10 +180,11 @@ impl<'a> Search<'a> {
     /// Negates values on a path that starts at a place with a negation. Returns false, and changes nothing, if no path
     /// saves negations.
     fn negate_path(&mut self, start: usize) -> bool {
-        let (mut path, mut sum, mut reader) = (Vec::new(), 0, start);
+        let (mut path, mut sum, mut place) = (Vec::new(), 0, start);
         while path.len() < LONGEST_PATH {
+            let values = self.places[place].values();
             let mut best: Option<(i32, usize)> = None;
-            for value in self.values(reader).into_iter().flatten() {
+            for ValueId(value) in values.into_iter().flatten() {
                 if self.is_free[value] && !path.contains(&value) {
                     let candidate = (self.change(value), value);
                     best = Some(best.map_or(candidate, |best| best.min(candidate)));
@@ -198,33 +197,23 @@ impl<'a> Search<'a> {
             if sum < 0 {
                 return true;
             }
-            let mut places = self.places[value].iter().copied();
-            let Some(next) = places.find(|&it| it != reader && self.negations(it) > 0) else {
+            let mut places = self.places_of[value].iter().copied();
+            let Some(next) = places.find(|&it| it != place && self.needs_negation(it)) else {
                 break;
             };
-            reader = next;
+            place = next;
         }
         path.into_iter().for_each(|value| self.negated[value] ^= true);
         false
     }
 
-    /// Returns the values that a reader reads or computes.
-    fn values(&self, reader: usize) -> [Option<usize>; 4] {
-        let value = |operand: Option<&Operand>| operand.and_then(Operand::value);
-        let values = match &self.readers[reader] {
-            Reader::Operation(result, operation) => {
-                let [a, b, c] = operation.operands().map(value);
-                [Some(*result), a, b, c]
-            }
-            Reader::Lane([value, pack], _) => [Some(*value), Some(*pack), None, None],
-            Reader::Operand(operand) => [operand.value(), None, None, None],
-        };
-        values.map(|value| value.map(ValueId::index))
-    }
-
     /// Returns by how much the number of negations changes if a value is negated.
     fn change(&mut self, value: usize) -> i32 {
-        let before = self.negations_at(value);
+        self.change_from(value, self.negations_at(value))
+    }
+
+    /// Returns the same, given the number of negations at the value.
+    fn change_from(&mut self, value: usize, before: i32) -> i32 {
         self.negated[value] ^= true;
         let after = self.negations_at(value);
         self.negated[value] ^= true;
@@ -232,20 +221,14 @@ impl<'a> Search<'a> {
     }
 
     fn negations_at(&self, value: usize) -> i32 {
-        self.places[value].iter().map(|&reader| self.negations(reader)).sum()
+        let mut negations = 0;
+        for &place in &self.places_of[value] {
+            negations += i32::from(self.needs_negation(place));
+        }
+        negations
     }
 
-    /// Returns the number of negations that a reader needs.
-    fn negations(&self, reader: usize) -> i32 {
-        let is_negated = |value: ValueId| self.negated[value.index()];
-        match &self.readers[reader] {
-            Reader::Operand(operand) => i32::from(is_minus(operand, &self.negated)),
-            Reader::Lane([value, pack], negative) => {
-                i32::from(negative ^ is_negated(*value) ^ is_negated(*pack))
-            }
-            Reader::Operation(value, operation) => {
-                negations(operation, is_negated(*value), &self.negated)
-            }
-        }
+    fn needs_negation(&self, place: usize) -> bool {
+        self.places[place].needs_negation(&self.negated)
     }
 }

@@ -1,10 +1,9 @@
 //! Rewrites a procedure of which some values are negated.
 
-use super::negations::{is_minus, is_number};
+use super::negations::TermSign;
 use crate::program::{
     Operand, Operation, PivotValue, Section, Statement, Step, ValueId, ValueNames, Witness,
 };
-use std::collections::HashSet;
 
 /// Rewrites steps of which some values are negated.
 pub(super) fn steps(steps: &mut [Step], negated: &[bool]) {
@@ -42,7 +41,7 @@ fn step(step: &mut Step, negated: &[bool]) {
             }
             for witness in &mut check.finite {
                 if let Witness::Value(operand) = witness {
-                    *operand = absolute(operand);
+                    *operand = absolute(*operand);
                 }
             }
         }
@@ -53,8 +52,11 @@ fn statement(statement: &mut Statement, negated: &[bool]) {
     let is_negated = |value: ValueId| negated[value.index()];
     match statement {
         Statement::Let(value, operation) => {
-            let values = operation.operands().into_iter().flatten().filter_map(Operand::value);
-            if values.chain([*value]).any(is_negated) {
+            let reads = |operand: Option<&Operand>| {
+                operand.and_then(Operand::value).is_some_and(is_negated)
+            };
+            let [a, b, c] = operation.operands();
+            if is_negated(*value) || reads(a) || reads(b) || reads(c) {
                 *operation = rewritten(operation, is_negated(*value), negated);
             }
         }
@@ -70,15 +72,15 @@ fn statement(statement: &mut Statement, negated: &[bool]) {
 /// Rewrites an operand that reads values of which some are negated.
 fn operand(operand: &mut Operand, negated: &[bool]) {
     if operand.value().is_some_and(|value| negated[value.index()]) {
-        *operand = with_sign(is_minus(operand, negated), absolute(operand));
+        *operand = with_sign(TermSign::of(operand).is_minus(negated), absolute(*operand));
     }
 }
 
 /// Returns an operand without its sign.
-fn absolute(operand: &Operand) -> Operand {
+fn absolute(operand: Operand) -> Operand {
     match operand {
-        Operand::Minus(inner) => absolute(inner),
-        Operand::Number(_) | Operand::Value(_) => operand.clone(),
+        Operand::Minus(value) => Operand::Value(value),
+        Operand::Number(_) | Operand::Value(_) => operand,
     }
 }
 
@@ -87,13 +89,14 @@ fn with_sign(minus: bool, operand: Operand) -> Operand {
     match (minus, operand) {
         (false, operand) => operand,
         (true, Operand::Number(number)) => Operand::Number(-number),
-        (true, operand) => Operand::Minus(Box::new(operand)),
+        (true, Operand::Value(value)) => Operand::Minus(value),
+        (true, Operand::Minus(value)) => Operand::Value(value),
     }
 }
 
 /// Returns an operation on values of which some are negated; of its result, the negative if `minus`.
 fn rewritten(operation: &Operation, minus: bool, negated: &[bool]) -> Operation {
-    let of = |operand: &Operand| (is_minus(operand, negated), absolute(operand));
+    let of = |operand: &Operand| (TermSign::of(operand).is_minus(negated), absolute(*operand));
     let signed = |operand: &Operand| {
         let (sign, operand) = of(operand);
         with_sign(sign, operand)
@@ -133,7 +136,7 @@ fn sum((minus_a, a): (bool, Operand), (minus_b, b): (bool, Operand)) -> Operatio
         (false, false) => Operation::Sum(a, b),
         (false, true) => Operation::Difference(a, b),
         (true, false) => Operation::Difference(b, a),
-        (true, true) if is_number(&b) => Operation::Difference(with_sign(true, b), a),
+        (true, true) if b.is_known() => Operation::Difference(with_sign(true, b), a),
         (true, true) => Operation::Difference(with_sign(true, a), b),
     }
 }
@@ -144,25 +147,20 @@ fn fused((minus, a, b): (bool, Operand, Operand), (minus_c, c): (bool, Operand))
         (false, false) => Operation::MulAdd(a, b, c),
         (false, true) => Operation::MulSub(a, b, c),
         (true, false) => Operation::MulNegAdd(a, b, c),
-        (true, true) if is_number(&a) => Operation::MulSub(with_sign(true, a), b, c),
-        (true, true) if is_number(&b) => Operation::MulSub(a, with_sign(true, b), c),
+        (true, true) if a.is_known() => Operation::MulSub(with_sign(true, a), b, c),
+        (true, true) if b.is_known() => Operation::MulSub(a, with_sign(true, b), c),
         (true, true) => Operation::MulNegAdd(a, b, with_sign(true, c)),
     }
 }
 
 /// Gives negated values the names of their negatives.
 pub(super) fn names(names: &mut ValueNames, negated: &[bool]) {
-    let mut taken: HashSet<String> = names.all().iter().cloned().collect();
-    for value in (0..negated.len()).map(ValueId).filter(|value| negated[value.index()]) {
-        if names.is_numbered(value) {
-            continue;
-        }
-        let name = names.text(value);
-        let wanted = name.strip_prefix("minus_").map_or(format!("minus_{name}"), str::to_owned);
-        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-        let mut free = std::iter::once(wanted.clone()).chain(numbered);
-        if let Some(free) = free.find(|name| taken.insert(name.clone())) {
-            names.rename(value, free);
+    let negated = (0..negated.len()).filter(|&value| negated[value]).map(ValueId);
+    for value in negated {
+        if !names.is_numbered(value) {
+            let name = names.text(value);
+            let wanted = name.strip_prefix("minus_").map_or(format!("minus_{name}"), str::to_owned);
+            names.rename(value, wanted);
         }
     }
 }

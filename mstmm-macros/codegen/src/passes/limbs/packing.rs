@@ -4,7 +4,7 @@ use super::classes::{Canonical, ClassId, Classes, Form};
 use crate::program::{
     Operand, Operation, PACK, Procedure, Section, Statement, Step, ValueId, ValueNames,
 };
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Which lanes of a pack hold the negative of their value.
 type Signs = [bool; PACK];
@@ -37,7 +37,6 @@ pub(super) struct Packing<'a> {
     /// The products of packs with ±1.
     flipped: HashMap<(ValueId, Signs), ValueId>,
     names: ValueNames,
-    taken: HashSet<String>,
     statements: Vec<Statement>,
 }
 
@@ -64,7 +63,6 @@ impl<'a> Packing<'a> {
             gathered: HashMap::new(),
             flipped: HashMap::new(),
             names: procedure.values.clone(),
-            taken: procedure.values.all().iter().cloned().collect(),
             statements: Vec::new(),
         };
         for statement in procedure.sections().flat_map(|section| &section.statements) {
@@ -165,7 +163,7 @@ impl<'a> Packing<'a> {
             filled(operations.iter().map(|(lane, operation)| (*lane, operation.negative[term])))
         });
         let (operation, signs) = self.combine(operations[0].1.form, columns, negative);
-        let pack = self.named(&format!("{}_limbs", self.names.text(members[0].1)));
+        let pack = self.names.fresh(format!("{}_limbs", self.names.text(members[0].1)));
         self.statements.push(Statement::Let(pack, operation));
         self.packs[class.index()] = Some((pack, signs));
         for (_, value) in members {
@@ -236,10 +234,10 @@ impl<'a> Packing<'a> {
 
     /// Returns corresponding operands, each with its lane, as a pack, or as the scalar that they all are.
     fn column(&mut self, operands: &[(usize, &Operand)]) -> Column {
-        let plain: Vec<(usize, &Operand, bool)> = operands
+        let plain: Vec<(usize, Operand, bool)> = operands
             .iter()
             .map(|&(lane, operand)| {
-                let (plain, negative) = without_sign(operand);
+                let (plain, negative) = without_sign(*operand);
                 (lane, plain, negative)
             })
             .collect();
@@ -248,18 +246,17 @@ impl<'a> Packing<'a> {
         let class = first.value().and_then(|value| self.class(value));
         if class.is_none() && plain.iter().all(|(_, other, _)| *other == first) {
             first.value().into_iter().for_each(|value| self.scalar(value));
-            return Column { operand: first.clone(), negative };
+            return Column { operand: first, negative };
         }
         if let Operand::Value(value) = first
-            && let Some(class) = self.class(*value)
+            && let Some(class) = self.class(value)
         {
             self.pack(class);
             let Some((pack, signs)) = self.packs[class.index()] else { bug!("a pack is missing") };
             return Column { operand: Operand::Value(pack), negative: xor(negative, signs) };
         }
         let values = filled(plain.iter().map(|&(lane, operand, _)| (lane, operand)));
-        let values = values.map(Operand::clone).to_vec();
-        Column { operand: Operand::Value(self.gather(values)), negative }
+        Column { operand: Operand::Value(self.gather(values.to_vec())), negative }
     }
 
     /// Returns a pack of scalars.
@@ -278,7 +275,7 @@ impl<'a> Packing<'a> {
             Some(value) => format!("{}_limbs", self.names.text(value)),
             None => "numbers_limbs".to_owned(),
         };
-        let pack = self.named(&wanted);
+        let pack = self.names.fresh(wanted);
         self.statements.push(Statement::Pack { pack, values });
         self.gathered.insert(keys, pack);
         pack
@@ -303,19 +300,11 @@ impl<'a> Packing<'a> {
         }
         let ones = signs.map(|negative| Operand::Number(sign(1.0, negative)));
         let ones = self.gather(ones.to_vec());
-        let flipped = self.named(&format!("{}_signed", self.names.text(value)));
+        let flipped = self.names.fresh(format!("{}_signed", self.names.text(value)));
         let product = Operation::Product(Operand::Value(value), Operand::Value(ones));
         self.statements.push(Statement::Let(flipped, product));
         self.flipped.insert((value, signs), flipped);
         Operand::Value(flipped)
-    }
-
-    /// Adds a pack with a name, made unique by a number.
-    fn named(&mut self, wanted: &str) -> ValueId {
-        let numbered = (2..).map(|number| format!("{wanted}_{number}"));
-        let mut names = std::iter::once(wanted.to_owned()).chain(numbered);
-        let free = names.find(|name| self.taken.insert(name.clone()));
-        self.names.add(free.unwrap_or_else(|| bug!("there are no numbers left")))
     }
 }
 
@@ -332,12 +321,9 @@ fn read(step: &Step) -> Vec<ValueId> {
 }
 
 /// Splits an operand into a number without a sign or a value, and whether it is its negative.
-fn without_sign(operand: &Operand) -> (&Operand, bool) {
+fn without_sign(operand: Operand) -> (Operand, bool) {
     match operand {
-        Operand::Minus(inner) => {
-            let (plain, negative) = without_sign(inner);
-            (plain, !negative)
-        }
+        Operand::Minus(value) => (Operand::Value(value), true),
         Operand::Number(_) | Operand::Value(_) => (operand, false),
     }
 }

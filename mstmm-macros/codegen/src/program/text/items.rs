@@ -63,11 +63,11 @@ pub fn items(block: &Block) -> Vec<ItemSection> {
         let mut items = Vec::new();
         for statement in statements {
             match statement {
-                Statement::Let(name, operation) => items.push(Item::Let(*name, operation.clone())),
+                Statement::Let(name, operation) => items.push(Item::Let(*name, *operation)),
                 Statement::SinCos { sines, cosines, angles: of } => {
                     let both = sines.iter().zip(cosines).zip(of);
                     angles.extend(both.map(|((&sine, &cosine), angle)| {
-                        (number, items.len(), Item::Angle { sine, cosine, angle: angle.clone() })
+                        (number, items.len(), Item::Angle { sine, cosine, angle: *angle })
                     }));
                 }
                 Statement::Pack { .. } | Statement::Lane { .. } => {

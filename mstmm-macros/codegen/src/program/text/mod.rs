@@ -161,18 +161,19 @@ impl TextPrinter<'_> {
         text
     }
 
+    fn value(&self, value: ValueId) -> Formula {
+        let name = || match &self.names[value.index()] {
+            Some(name) => Formula::atom(name.clone()),
+            None => bug!("a value is read before it is computed"),
+        };
+        self.inlined.get(&value).cloned().unwrap_or_else(name)
+    }
+
     fn operand(&self, operand: &Operand) -> Formula {
         match operand {
             Operand::Number(value) => Formula::number(*value),
-            Operand::Value(name) => match self.inlined.get(name) {
-                Some(formula) => formula.clone(),
-                None => Formula::atom(
-                    self.names[name.index()]
-                        .clone()
-                        .unwrap_or_else(|| bug!("a value is read before it is computed")),
-                ),
-            },
-            Operand::Minus(inner) => self.operand(inner).negated(),
+            Operand::Value(name) => self.value(*name),
+            Operand::Minus(name) => self.value(*name).negated(),
         }
     }
 
