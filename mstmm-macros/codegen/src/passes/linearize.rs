@@ -248,6 +248,17 @@ impl<'a> Linearizer<'a> {
         if self.done[node as usize] {
             return;
         }
+        for id in self.needed_for(node) {
+            // A `SinCos` statement may have computed some of them meanwhile.
+            if !self.done[id as usize] {
+                self.mark(id);
+                self.compute(id);
+            }
+        }
+    }
+
+    /// Returns the nodes that a node needs and that have not been computed, operands before their users, the node last.
+    fn needed_for(&mut self, node: NodeId) -> Vec<NodeId> {
         self.requests += 1;
         let nodes = self.graph.nodes();
         let mut needed = Vec::new();
@@ -267,13 +278,7 @@ impl<'a> Linearizer<'a> {
         }
         // Operands have smaller ids than their users.
         needed.sort_unstable();
-        for id in needed {
-            // A `SinCos` statement may have computed some of them meanwhile.
-            if !self.done[id as usize] {
-                self.mark(id);
-                self.compute(id);
-            }
-        }
+        needed
     }
 
     /// Records that a node is computed in the current section.
