@@ -1,5 +1,6 @@
 //! The comments before a chain: what the text has otherwise than the file.
 
+use super::error::on_one_line;
 use super::naming::Naming;
 use super::numbers::wrapped;
 use super::parts::Group;
@@ -19,7 +20,7 @@ pub fn comments(
         &format!(
             "// Imported from {}, the robot `{}`: {}.",
             heading.file,
-            line_of(&robot.name),
+            on_one_line(&robot.name),
             size(source)
         ),
         "//     ",
@@ -32,7 +33,7 @@ pub fn comments(
             lines.extend(wrapped(&format!("// {title}: {text}{end}"), "//     ", ", "));
         }
     };
-    let link = |index: &usize| line_of(&robot.links[*index].name);
+    let link = |index: &usize| on_one_line(&robot.links[*index].name);
     list("The ground", source.tree.ground.iter().map(link).collect());
     for (index, body) in source.tree.bodies.iter().enumerate() {
         let title =
@@ -42,7 +43,7 @@ pub fn comments(
     list("Names that differ from those of the file", differing_names(source, groups, naming));
     list(
         "Held at zero",
-        source.tree.held.iter().map(|joint| line_of(&robot.joints[*joint].name)).collect(),
+        source.tree.held.iter().map(|joint| on_one_line(&robot.joints[*joint].name)).collect(),
     );
     for warning in heading.warnings {
         list("Note", vec![warning.clone()]);
@@ -65,7 +66,7 @@ fn differing_names(source: Source, groups: &[Group], naming: &Naming) -> Vec<Str
     let mut names = Vec::new();
     let compare = |path: &str, what: &str, original: &str| {
         let differs = path.replace('.', "_") != original;
-        differs.then(|| format!("{path} is the {what} {}", line_of(original)))
+        differs.then(|| format!("{path} is the {what} {}", on_one_line(original)))
     };
     for (index, body) in source.tree.bodies.iter().enumerate() {
         let path = |name: &str| naming.path(groups, index, name);
@@ -78,14 +79,9 @@ fn differing_names(source: Source, groups: &[Group], naming: &Naming) -> Vec<Str
             let original = &robot.links[*link].name;
             let is_same = path(point).replace('.', "_") == *original || point == original;
             if !frame.is_identity() && !is_same {
-                names.push(format!("{own}.{point} is the link {}", line_of(original)));
+                names.push(format!("{own}.{point} is the link {}", on_one_line(original)));
             }
         }
     }
     names
-}
-
-/// Returns a name of the file on one line, so that it ends no comment.
-fn line_of(name: &str) -> String {
-    name.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
 }

@@ -16,7 +16,7 @@ pub struct Place {
 pub struct ImportError {
     /// The place in the file, if the error has one.
     pub place: Option<Place>,
-    /// The element and the reason.
+    /// The element and the reason, on one line.
     pub message: String,
 }
 
@@ -25,14 +25,27 @@ pub type Result<T> = std::result::Result<T, ImportError>;
 
 impl ImportError {
     /// Makes an error about a whole file.
-    pub fn new(message: impl Into<String>) -> Self {
-        ImportError { place: None, message: message.into() }
+    pub fn new(message: impl fmt::Display) -> Self {
+        ImportError { place: None, message: on_one_line(message) }
     }
 
     /// Makes an error about an element.
-    pub fn at(place: Place, message: impl Into<String>) -> Self {
-        ImportError { place: Some(place), message: message.into() }
+    pub fn at(place: Place, message: impl fmt::Display) -> Self {
+        ImportError { place: Some(place), message: on_one_line(message) }
     }
+}
+
+/// Returns a message with escaped control characters: a name of the file may have line breaks, and a
+/// message has one line, as has the comment that repeats it.
+pub fn on_one_line(message: impl fmt::Display) -> String {
+    let mut line = String::new();
+    for letter in message.to_string().chars() {
+        match letter.is_control() {
+            true => line.extend(letter.escape_debug()),
+            false => line.push(letter),
+        }
+    }
+    line
 }
 
 impl fmt::Display for ImportError {

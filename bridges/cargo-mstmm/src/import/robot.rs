@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use roxmltree::{Document, ParsingOptions};
 use std::collections::HashMap;
 
-use super::error::{ImportError, Place, Result};
+use super::error::{ImportError, Place, Result, on_one_line};
 use super::frame::{Angle, Frame};
 use super::mass::Mass;
 use super::mjcf;
@@ -26,7 +26,14 @@ pub struct Robot {
 /// A warning about an element.
 pub struct Note {
     pub place: Place,
+    /// The warning, on one line.
     pub text: String,
+}
+
+impl Note {
+    pub fn new(place: Place, text: impl std::fmt::Display) -> Self {
+        Note { place, text: on_one_line(text) }
+    }
 }
 
 /// A link.

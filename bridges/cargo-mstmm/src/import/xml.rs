@@ -49,7 +49,7 @@ impl<'a> Element<'a> {
 
     /// Makes a warning that names the link, the joint or the body of the element.
     pub fn note(self, message: impl std::fmt::Display) -> Note {
-        Note { place: self.place(), text: self.named(message) }
+        Note::new(self.place(), self.named(message))
     }
 
     /// Returns a message after the innermost name of a link, a joint or a body.
@@ -58,9 +58,7 @@ impl<'a> Element<'a> {
         let mut owners = self.node.ancestors().filter(|node| is_owner(node.tag_name().name()));
         let owner =
             owners.find_map(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
-        // A line break would end a comment.
-        let owner = owner
-            .map_or_else(String::new, |(tag, name)| format!("{tag} `{}`: ", name.escape_debug()));
+        let owner = owner.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
         format!("{owner}{message}")
     }
 

@@ -28,18 +28,14 @@ pub fn program(
     (output.status.code().expect("it ends by itself"), result, messages)
 }
 
-/// Random numbers by SplitMix64; the seed is printed, and `SEED` sets it.
+/// Random numbers by SplitMix64; the seed is printed, and `MSTMM_SEED` sets it.
 pub struct Random(u64);
 
 impl Random {
-    /// Begins with a seed from `SEED` or from the clock.
+    /// Begins with a seed from `MSTMM_SEED` or with 0.
     pub fn new() -> Self {
-        let given = std::env::var("SEED").ok().and_then(|text| text.parse().ok());
-        let seed = given.unwrap_or_else(|| {
-            let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-            now.map_or(0, |time| time.as_nanos() as u64)
-        });
-        println!("SEED={seed}");
+        let seed = std::env::var("MSTMM_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
+        println!("MSTMM_SEED={seed}");
         Random(seed)
     }
 

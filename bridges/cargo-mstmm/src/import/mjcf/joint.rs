@@ -67,12 +67,11 @@ impl Reader<'_> {
             return Ok(0.0);
         }
         if numbers.iter().skip(1).any(|other| *other != 0.0) {
-            let name = name.escape_debug();
             let text = format!(
                 "joint `{name}` has damping by higher powers of the rate in the file, and only the linear damping \
                  {first} here"
             );
-            self.robot.notes.push(Note { place: joint.element().place(), text });
+            self.robot.notes.push(Note::new(joint.element().place(), text));
         }
         Ok(first)
     }
