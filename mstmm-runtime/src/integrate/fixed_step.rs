@@ -150,11 +150,21 @@ impl<T: Scalar> Clock<T> {
     }
 }
 
-/// The methods of an integrator that follow from its [`FixedStep`]: `advance_to`, `advance_by`, and those with
+/// The methods of an integrator that follow from its [`FixedStep`]: the step size, `advance_to`, `advance_by`, and those with
 /// inputs that may fail.
-macro_rules! advance_methods {
+macro_rules! fixed_step_methods {
     ($method:ident) => {
         impl<C: Chain> $method<C> {
+            /// Returns the step size in s.
+            pub fn step_size(&self) -> C::Scalar {
+                self.pace.step
+            }
+
+            /// Sets the step size in s of the next steps.
+            pub fn set_step_size(&mut self, step: C::Scalar) {
+                self.pace.step = step;
+            }
+
             /// Integrates `state` to the time `end` in s and ends exactly there.
             ///
             /// `end` may be earlier than the time of `state`. All steps have the step size and the sign of the
@@ -243,7 +253,7 @@ macro_rules! advance_methods {
         }
     };
 }
-pub(super) use advance_methods;
+pub(super) use fixed_step_methods;
 
 /// Implements `Clone` and `Debug` for a method whose first field is its [`Pace`]. Derived implementations would require
 /// them of the type of the chain.

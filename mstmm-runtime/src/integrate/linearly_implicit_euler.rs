@@ -1,7 +1,7 @@
 //! The linearly implicit Euler method.
 
 use super::ask::{always, ask};
-use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, clone_and_debug, fixed_step_methods};
 use super::held::held_methods;
 use super::semi_implicit_euler::follow;
 use crate::{Chain, ChainState, Error};
@@ -22,7 +22,7 @@ pub struct LinearlyImplicitEuler<C: Chain> {
     result: C::State,
 }
 
-advance_methods!(LinearlyImplicitEuler);
+fixed_step_methods!(LinearlyImplicitEuler);
 
 held_methods!(LinearlyImplicitEuler);
 
@@ -36,16 +36,6 @@ impl<C: Chain> LinearlyImplicitEuler<C> {
             rate: C::State::zero_position(),
             result: C::State::zero_position(),
         }
-    }
-
-    /// Returns the step size in s.
-    pub fn step_size(&self) -> C::Scalar {
-        self.pace.step
-    }
-
-    /// Sets the step size in s of the next steps.
-    pub fn set_step_size(&mut self, step: C::Scalar) {
-        self.pace.step = step;
     }
 
     /// Integrates `state` over one step.

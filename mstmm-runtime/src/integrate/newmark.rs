@@ -2,7 +2,7 @@
 
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fixed_step_methods};
 use super::held::held_methods;
 use crate::{Chain, ChainState, Error, Scalar};
 
@@ -38,7 +38,7 @@ pub struct Newmark<C: Chain> {
     result: C::State,
 }
 
-advance_methods!(Newmark);
+fixed_step_methods!(Newmark);
 
 held_methods!(Newmark);
 
@@ -69,16 +69,6 @@ impl<C: Chain> Newmark<C> {
     pub fn with_iterations(mut self, iterations: u32) -> Self {
         self.iterations = iterations;
         self
-    }
-
-    /// Returns the step size in s.
-    pub fn step_size(&self) -> C::Scalar {
-        self.pace.step
-    }
-
-    /// Sets the step size in s of the next steps.
-    pub fn set_step_size(&mut self, step: C::Scalar) {
-        self.pace.step = step;
     }
 
     /// Integrates `state` over one step.

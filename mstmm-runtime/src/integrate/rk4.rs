@@ -2,7 +2,7 @@
 
 use super::ask::{always, ask};
 use super::combine::{add_scaled, copy, start_plus_scaled, sum_scaled, weighted_sum};
-use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fixed_step_methods};
 use super::held::held_methods;
 use crate::{Chain, ChainState, Error, Scalar};
 
@@ -21,7 +21,7 @@ pub struct Rk4<C: Chain> {
     sum: C::State,
 }
 
-advance_methods!(Rk4);
+fixed_step_methods!(Rk4);
 
 held_methods!(Rk4);
 
@@ -36,16 +36,6 @@ impl<C: Chain> Rk4<C> {
             rate: C::State::zero_position(),
             sum: C::State::zero_position(),
         }
-    }
-
-    /// Returns the step size in s.
-    pub fn step_size(&self) -> C::Scalar {
-        self.pace.step
-    }
-
-    /// Sets the step size in s of the next steps.
-    pub fn set_step_size(&mut self, step: C::Scalar) {
-        self.pace.step = step;
     }
 
     /// Integrates `state` over one step.

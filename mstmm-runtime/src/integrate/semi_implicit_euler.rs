@@ -2,7 +2,7 @@
 
 use super::ask::{always, ask};
 use super::combine::{add_scaled_coordinates, add_scaled_rates, copy};
-use super::fixed_step::{self, FixedStep, Pace, Span, advance_methods, arrive, clone_and_debug};
+use super::fixed_step::{self, FixedStep, Pace, Span, arrive, clone_and_debug, fixed_step_methods};
 use super::held::held_methods;
 use crate::{Chain, ChainState, Error};
 
@@ -22,7 +22,7 @@ pub struct SemiImplicitEuler<C: Chain> {
     result: C::State,
 }
 
-advance_methods!(SemiImplicitEuler);
+fixed_step_methods!(SemiImplicitEuler);
 
 held_methods!(SemiImplicitEuler);
 
@@ -36,16 +36,6 @@ impl<C: Chain> SemiImplicitEuler<C> {
             rate: C::State::zero_position(),
             result: C::State::zero_position(),
         }
-    }
-
-    /// Returns the step size in s.
-    pub fn step_size(&self) -> C::Scalar {
-        self.pace.step
-    }
-
-    /// Sets the step size in s of the next steps.
-    pub fn set_step_size(&mut self, step: C::Scalar) {
-        self.pace.step = step;
     }
 
     /// Integrates `state` over one step.
