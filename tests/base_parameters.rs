@@ -94,6 +94,30 @@ mstmm_chain! {
     }
 }
 
+// Gravity as an input; many rates on other branches than the pin's, and bodies from the free ends inward.
+mstmm_chain! {
+    /// The single rate of the pin has equations with ten parameters, the six of each floating body with as many.
+    chain Sparse {
+        gravity = input;
+        answers = regressor;
+        body Rod { mass = 1 kg; com = [0.1, 0.1, -0.5] m; inertia = diag(0.1, 0.12, 0.05) kg*m^2 about com; }
+        ground -> floating a -> Rod one;
+        ground -> floating b -> Rod two;
+        ground -> floating c -> Rod three;
+        ground -> floating d -> Rod four;
+        moving cart -> pin(x) e -> Rod five;
+    }
+
+    chain Inward {
+        gravity = [0, 0, -9.81] m/s^2;
+        answers = regressor;
+        body Rod { mass = 1 kg; com = [0.1, 0.1, -0.5] m; output = [0, 0.1, -1] m; inertia = diag(0.1, 0.12, 0.05) kg*m^2 about com; }
+        Rod fourth -> pin(x) a -> Rod third -> slider(y) b -> Rod second -> weld c -> Rod joined -> pin(z) d -> Rod first
+            -> pin(x) e -> ground;
+        hinge a, d { armature = 0.1; damping = 0.2; }
+    }
+}
+
 // These have constant gravity and no prescribed motions.
 mstmm_chain! {
     chain Arm {
@@ -176,6 +200,7 @@ fn inputs_that_move_a_chain_identify_parameters() {
     compare!(Closed);
     compare!(Floating);
     compare!(Uneven);
+    compare!(Sparse);
 }
 
 #[test]
@@ -189,4 +214,5 @@ fn constant_gravity_and_free_hinges_need_no_inputs() {
     assert_eq!(compare!(Arm), 3 + 3 + 1 + 2);
     compare!(Weightless);
     compare!(Balls);
+    compare!(Inward);
 }

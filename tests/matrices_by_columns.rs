@@ -2,6 +2,8 @@
 
 #[path = "matrices_by_columns/bits.rs"]
 mod bits;
+#[path = "matrices_by_columns/many_rates.rs"]
+mod many_rates;
 #[path = "matrices_by_columns/segments.rs"]
 mod segments;
 

@@ -168,7 +168,7 @@ pub(super) static FUNCTIONS: [FunctionSpec; 33] = [
     },
     FunctionSpec {
         answer: Answer::Regressor,
-        when: |chain, _, _| asks(chain, Request::Regressor) && chain.repeats.is_empty(),
+        when: |chain, _, layout| asks(chain, Request::Regressor) && is_dense(chain, layout),
         trace: |chain| chain.regressor(),
         checks: dense(&[outputs::REGRESSOR]),
     },
@@ -283,7 +283,7 @@ pub(super) fn is_by_columns(chain: &Chain, layout: &Layout, answer: Answer) -> b
         Answer::CoriolisMatrixTimes => lacks(Request::CoriolisMatrix),
         Answer::EffortsChange => lacks(Request::Derivatives),
         Answer::Push => lacks(Request::Linearize),
-        Answer::RegressorTimes => asks(chain, Request::Regressor) && !chain.repeats.is_empty(),
+        Answer::RegressorTimes => lacks(Request::Regressor),
         Answer::ClosureJacobianTimes => true,
         _ => false,
     }
@@ -296,7 +296,7 @@ fn has_regressor_by_rates(chain: &Chain, layout: &Layout) -> bool {
         MovesWith::Ground => 0,
         MovesWith::Link(link) => lengths[link],
     };
-    let has_this_form = chain.dimension == Dimension::Space && chain.repeats.is_empty();
+    let has_this_form = chain.dimension == Dimension::Space && is_dense(chain, layout);
     let pairs = chain.physical_bodies().map(moving).sum();
     has_this_form && takes_rates_together(layout.dof_count(), pairs)
 }

@@ -3,11 +3,16 @@
 //! Some columns of the regressor are linear combinations of others in every state. Parameters of a set of
 //! independent columns, each with its share of the dependent ones added, are the base parameters (W. Khalil,
 //! E. Dombre, Modeling, Identification and Control of Robots, chapter 9).
+//!
+//! Changes of parameters that change no effort are sums of changes that involve one link, or a link and its parent: what the
+//! motion of a hinge cannot distinguish moves from one of its links to the other (P. M. Wensing, G. Niemeyer, J.-J. E.
+//! Slotine, A geometric characterization of observability in inertial parameter identification, Int. J. Robot. Res., 2024).
+//! Therefore a column is compared with those of its own link and of the parent.
 
 use super::dry_run::{DryRun, Number, near_zero};
 use crate::equations::{Axes, Trace, regressor};
 use crate::ids::IdVec;
-use crate::model::LinkId;
+use crate::model::{DynamicParameter, LinkId, MovesWith};
 
 /// A column depends on earlier ones if the rest is smaller than this, relative to the column. The columns of states that
 /// differ by half a radian have condition numbers below a million for the robots tested.
@@ -21,29 +26,47 @@ const EQUATIONS: usize = 2;
 const INERTIAL: usize = 10;
 
 impl DryRun {
-    /// Returns the indices of the first dynamic parameters whose columns are independent.
+    /// Returns the indices of the base parameters: from the ground outward, those whose columns are independent of the
+    /// columns before them.
     pub(super) fn base_parameters(&self) -> Vec<usize> {
-        let mut independent: Vec<Vec<f64>> = Vec::new();
         let columns = self.stacked();
         let largest = columns.iter().map(|column| norm(column)).fold(0.0, f64::max);
-        let mut is_new = |column: &Vec<f64>| {
-            let length = norm(column);
-            let mut rest = column.clone();
-            // Twice is enough (W. Kahan), since rounding errors of the first pass are removed by the second.
-            for _ in 0..2 {
-                for direction in &independent {
-                    let along: f64 = direction.iter().zip(&rest).map(|(a, b)| a * b).sum();
-                    rest.iter_mut().zip(direction).for_each(|(rest, a)| *rest -= along * a);
+        let independent = |span: &mut Span, of_link: &[usize]| {
+            let present = of_link.iter().filter(|&&k| norm(&columns[k]) > ZERO * largest);
+            present.copied().filter(|&k| span.add(&columns[k])).collect::<Vec<_>>()
+        };
+        let (of_links, apart) = self.parameters_by_links();
+        let mut base = independent(&mut Span::default(), &apart);
+        for (link, own) in of_links.enumerate() {
+            let mut span = Span::default();
+            if let Some(parent) = self.merged.links[link].parent {
+                independent(&mut span, &of_links[parent]);
+            }
+            base.extend(independent(&mut span, own));
+        }
+        base.sort_unstable();
+        base
+    }
+
+    /// Returns the indices of the dynamic parameters of each link and its hinge, and of those of hinges that close loops.
+    fn parameters_by_links(&self) -> (IdVec<LinkId, Vec<usize>>, Vec<usize>) {
+        let mut of_links = IdVec::filled(Vec::new(), self.merged.links.len());
+        let mut apart = Vec::new();
+        for (k, parameter) in self.chain.dynamic_parameters().into_iter().enumerate() {
+            match parameter {
+                DynamicParameter::Inertial(body, _) => match self.merged.parts[body] {
+                    MovesWith::Link(link) => of_links[link].push(k),
+                    MovesWith::Ground => {}
+                },
+                DynamicParameter::Passive(hinge, ..) => {
+                    match self.merged.links.position(|link| link.hinge == hinge) {
+                        Some(link) => of_links[link].push(k),
+                        None => apart.push(k),
+                    }
                 }
             }
-            let left = norm(&rest);
-            let is_independent = length > ZERO * largest && left > DEPENDENT * length;
-            if is_independent {
-                independent.push(rest.into_iter().map(|entry| entry / left).collect());
-            }
-            is_independent
-        };
-        (0..columns.len()).filter(|&k| is_new(&columns[k])).collect()
+        }
+        (of_links, apart)
     }
 
     /// Returns the columns of the regressor, stacked over states near the start, with all inputs in motion.
@@ -90,10 +113,30 @@ impl DryRun {
             let own = self.merged.v[self.merged.links[group].hinge].len();
             (EQUATIONS * INERTIAL * size).div_ceil(own)
         };
-        // A group of one link has fewer independent parameters.
-        let groups = sizes.iter().filter(|(_, size)| *size > 1);
         let average = (EQUATIONS * count).div_ceil(rates);
-        groups.map(of_group).fold(average, usize::max) + 1
+        sizes.iter().map(of_group).fold(average, usize::max) + 1
+    }
+}
+
+/// The space that columns span, by orthonormal vectors.
+#[derive(Default)]
+struct Span(Vec<Vec<f64>>);
+
+impl Span {
+    /// Adds a column; returns whether it is independent of the others.
+    fn add(&mut self, column: &[f64]) -> bool {
+        let mut rest = column.to_vec();
+        // Twice is enough (W. Kahan), since rounding errors of the first pass are removed by the second.
+        for direction in self.0.iter().chain(&self.0) {
+            let along: f64 = direction.iter().zip(&rest).map(|(a, b)| a * b).sum();
+            rest.iter_mut().zip(direction).for_each(|(rest, a)| *rest -= along * a);
+        }
+        let left = norm(&rest);
+        let is_independent = left > DEPENDENT * norm(column);
+        if is_independent {
+            self.0.push(rest.into_iter().map(|entry| entry / left).collect());
+        }
+        is_independent
     }
 }
 

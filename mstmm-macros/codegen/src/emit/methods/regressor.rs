@@ -128,9 +128,11 @@ pub(super) fn others(cx: &EmitContext) -> TokenStream {
     let given = of_accelerations(cx);
     let (rows, columns) = size(cx);
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
-    let of_columns = if cx.chain.repeats.is_empty() { names(cx) } else { by_columns(cx) };
+    let names = cx.chain.repeats.is_empty().then(|| names(cx));
+    let by_columns = cx.compiled.find(Answer::Regressor).is_none().then(|| by_columns(cx));
     quote! {
-        #of_columns
+        #names
+        #by_columns
         /// Returns the regressor; see [`regressor_into`](Self::regressor_into).
         ///
         /// # Errors
@@ -161,8 +163,8 @@ fn names(cx: &EmitContext) -> TokenStream {
         /// The names of the dynamic parameters, by the columns of the regressor.
         #visibility const DYNAMIC_PARAMETERS: [&'static ::core::primitive::str; #columns] = [#(#names),*];
         /// The indices of dynamic parameters whose columns are independent: the base parameters. The column of every other
-        /// parameter is a combination of columns before it, in every state and for all inputs, so no motion can tell its
-        /// value from theirs. Prescribed motions and gravity as an input must vary for all base parameters to be identified.
+        /// parameter is a combination of theirs, in every state and for all inputs, so no motion can tell its value from
+        /// theirs. They are the first with independent columns, from the ground outward. Prescribed motions and gravity as an input must vary for all base parameters to be identified.
         /// States of a closed chain need not fulfil its loop constraints.
         ///
         /// Found numerically, with parameters at their defaults; empty if the description has Rust constants.
@@ -170,7 +172,7 @@ fn names(cx: &EmitContext) -> TokenStream {
     }
 }
 
-/// Returns the regressor of a chain with repeated parts, whose columns are products.
+/// Returns the regressor of a chain that does not write it out: its columns are products.
 fn by_columns(cx: &EmitContext) -> TokenStream {
     let (mstmm, visibility) = (&cx.mstmm, &cx.passthrough.visibility);
     let given = of_accelerations(cx);
