@@ -4,8 +4,11 @@
 // Closed chains here start with their links in line, which gives a warning; the tests bend them.
 #![allow(deprecated)]
 
+#[path = "closed/sizes.rs"]
+mod sizes;
 mod support;
 
+use mstmm::description::Origin;
 use mstmm::prelude::*;
 use mstmm::{Error, GeneratedChain, HingeMotion, PinState};
 use mstmm_reference::Random;
@@ -269,6 +272,18 @@ fn everything_acts_at_a_closing_hinge() {
         largest = worst(largest, off);
     }
     println!("off by {largest:.1e}");
+}
+
+#[test]
+fn assembly_names_a_value_that_is_not_finite() {
+    let chain = FourBar::<f64>::new();
+    let mut state = chain.initial_state();
+    state.q[1] = f64::NAN;
+    let found = chain.assemble(&mut state, &chain.no_inputs());
+    assert_eq!(found, Err(Error::NotFinite(Origin::Coordinate(1))));
+    (state.q[1], state.v[2]) = (0.0, f64::INFINITY);
+    let found = chain.assemble(&mut state, &chain.no_inputs());
+    assert_eq!(found, Err(Error::NotFinite(Origin::Rate(2))));
 }
 
 /// In the flat pose, all hinges lie in a line and two motions branch. The results must be finite and

@@ -31,7 +31,9 @@ pub use checks::{
     or_argument, pivot_error, pivots_ok,
 };
 pub use columns::{MotorColumns, columns, columns_of_part, input_columns};
-pub use linkage::{CORRECTIONS, assemble, check_rank, closure_error, loop_closure, rank_steps};
+pub use linkage::{
+    CORRECTIONS, Residual, assemble, check_rank, closure_error, loop_closure, rank_steps,
+};
 pub use not_asked::{AsksJacobianOfBody, NotAsked, Unanswered};
 pub use packs::{lane, pack};
 pub use regressor::{regressor_of_bodies, regressor_of_elements};

@@ -108,7 +108,7 @@ fn assembling_goes_on_until_all_lanes_are_closed() {
         state.coordinates_mut()[0] = W::from_lanes(|lane| if lane == 5 { f64::NAN } else { 1.0 });
         let before = numbers(&state);
         let outcome = wide.chain.assemble(&mut state, &wide.inputs);
-        assert_eq!(outcome, Err(Error::NotAssembled), "{name}");
+        assert_eq!(outcome, Err(Error::NotFinite(Origin::Coordinate(0))), "{name}");
         assert!(same_bits(&before, &numbers(&state)), "{name}");
     }
     check::<Loop<W>, Loop<f64>>("Loop");

@@ -14,24 +14,42 @@ pub fn loop_closure<T: Scalar, const C: usize>(undetermined: [[T; 6]; C]) -> Loo
 /// The largest number of corrections until a chain is closed.
 pub const CORRECTIONS: u32 = 50;
 
+/// How far a closed chain is from satisfying its loop constraints.
+#[derive(Clone, Copy, Debug)]
+pub struct Residual<T> {
+    /// The norm of displacement, rotation and velocities across the closing hinge, in m, rad, m/s and rad/s.
+    pub distance: T,
+    /// The same norm without units: lengths relative to the chain's size, velocities also to those of its hinges.
+    pub relative: T,
+    /// The largest relative pivot among directions that count as redundant, from 0 to 1.
+    pub excess: T,
+}
+
+impl<T> Residual<T> {
+    /// Names the entries.
+    #[inline]
+    pub fn from_array([distance, relative, excess]: [T; 3]) -> Self {
+        Residual { distance, relative, excess }
+    }
+}
+
 /// Closes a chain by Newton's method.
 ///
-/// `correct` corrects coordinates and rates of the state once. It returns the distance from a
-/// closed chain, in m and rad, and the largest relative pivot that is left, see [`check_rank`].
+/// `correct` corrects coordinates and rates of the state once, and returns how far it was from closed.
 ///
-/// The chain is closed if the distance is at most 64 ε. It is also closed if the distance has stopped decreasing and
+/// The chain is closed if its relative error is at most 64 ε. It is also closed if the error has stopped decreasing and
 /// is at most ε^⅝, which is 1.6·10⁻¹⁰ in double and 4.7·10⁻⁵ in single precision, because long chains have more
-/// rounding. The lane with the largest distance decides. The derivatives of dual numbers converge after the values, and
+/// rounding. The lane with the largest error decides. The derivatives of dual numbers converge after the values, and
 /// are corrected further.
 ///
 /// # Errors
-/// [`Error::NotAssembled`] if the chain is not closed after 50 corrections, or if the distance is not finite, and
+/// [`Error::NotAssembled`] if the chain is not closed after 50 corrections, or if the error is not finite, and
 /// the error of [`check_rank`]. `state` is then unchanged.
 #[cold]
-pub fn assemble<S: ChainState>(
+fn close<S: ChainState>(
     state: &mut S,
     hinge: &'static str,
-    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
+    mut correct: impl FnMut(&mut S) -> Residual<S::Scalar>,
 ) -> Result<(), Error> {
     type Real<S> = <<S as ChainState>::Scalar as Scalar>::Real;
     let epsilon = Real::<S>::epsilon();
@@ -42,9 +60,9 @@ pub fn assemble<S: ChainState>(
     let mut before = Real::<S>::constant(f64::INFINITY);
     for correction in 0..CORRECTIONS {
         let residual = correct(state);
-        let distance = residual[0].max_lane();
-        let is_closed = distance <= closed || (distance <= near && distance >= before);
-        let is_last = correction + 1 == CORRECTIONS && distance <= near;
+        let error = residual.relative.max_lane();
+        let is_closed = error <= closed || (error <= near && error >= before);
+        let is_last = correction + 1 == CORRECTIONS && error <= near;
         if (is_closed || is_last) && is_finite(state) {
             correct_derivatives(state, correct);
             let checked = if is_finite(state) {
@@ -57,8 +75,8 @@ pub fn assemble<S: ChainState>(
             }
             return checked;
         }
-        before = distance;
-        if !distance.is_finite() {
+        before = error;
+        if !error.is_finite() {
             break;
         }
     }
@@ -66,7 +84,26 @@ pub fn assemble<S: ChainState>(
     Err(Error::NotAssembled)
 }
 
-/// Returns the distance from a closed chain, the first entry of its residual.
+/// Assembles a chain as [`close`] does.
+///
+/// # Errors
+/// Those of [`close`], and [`Error::NotFinite`] if a value of the state or of the inputs is not finite.
+pub fn assemble<C: Described>(
+    state: &mut C::State,
+    inputs: &C::Inputs,
+    hinge: &'static str,
+    mut correct: impl FnMut(&mut C::State, &C::Inputs) -> Residual<C::Scalar>,
+) -> Result<(), Error> {
+    match close(state, hinge, |state| correct(state, inputs)) {
+        Err(Error::NotAssembled) => match C::not_finite(state, inputs) {
+            Some(origin) => Err(Error::NotFinite(origin)),
+            None => Err(Error::NotAssembled),
+        },
+        other => other,
+    }
+}
+
+/// Returns the distance from a closed chain.
 ///
 /// # Errors
 /// [`Error::NotFinite`] if it is not finite.
@@ -74,7 +111,7 @@ pub fn assemble<S: ChainState>(
 pub fn closure_error<C: Described>(
     state: &C::State,
     inputs: &C::Inputs,
-    [distance, _]: [C::Scalar; 2],
+    Residual { distance, .. }: Residual<C::Scalar>,
 ) -> Result<C::Scalar, Error> {
     match distance.is_finite().all() {
         true => Ok(distance),
@@ -88,7 +125,7 @@ pub fn closure_error<C: Described>(
 /// next one, and each correction makes one more order exact.
 fn correct_derivatives<S: ChainState>(
     state: &mut S,
-    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
+    mut correct: impl FnMut(&mut S) -> Residual<S::Scalar>,
 ) {
     for _ in 0..S::Scalar::DERIVATIVE_ORDER {
         let mut next = state.clone();
@@ -108,16 +145,15 @@ fn is_finite<S: ChainState>(state: &S) -> bool {
 
 /// Fails if directions of a closing hinge that count as redundant are independent.
 ///
-/// `residual` is the distance from a closed chain, in m, rad, m/s and rad/s, and the largest relative pivot that is
-/// left, from 0 to 1. If a redundant linkage is not exactly closed, this pivot is about the square of the distance.
-/// The limit is 10⁶ times that square, which allows for lengths of a millimetre, plus rounding.
+/// If a redundant linkage is not exactly closed, the largest pivot that is left is about the square of the relative error.
+/// The limit is 10⁶ times that square, which allows for arms of a thousandth of the size, plus rounding.
 ///
 /// # Errors
 /// [`Error::ClosureRank`].
 #[inline]
-pub fn check_rank<T: Scalar>(residual: [T; 2], hinge: &'static str) -> Result<(), Error> {
-    let [distance, excess] = residual;
-    let limit = (distance * distance).mul_add(T::constant(1e6), rank_tolerance::<T>());
+pub fn check_rank<T: Scalar>(residual: Residual<T>, hinge: &'static str) -> Result<(), Error> {
+    let Residual { relative, excess, .. } = residual;
+    let limit = (relative * relative).mul_add(T::constant(1e6), rank_tolerance::<T>());
     if (!excess.simd_gt(limit)).all() { Ok(()) } else { Err(Error::ClosureRank { hinge }) }
 }
 
@@ -132,7 +168,7 @@ const POSES: usize = 4;
 pub fn rank_steps<S: ChainState, const N: usize>(
     start: &S,
     normalize: impl Fn(&mut S),
-    mut correct: impl FnMut(&mut S) -> [S::Scalar; 2],
+    mut correct: impl FnMut(&mut S) -> Residual<S::Scalar>,
     pivots: impl Fn(&S) -> [S::Scalar; N],
 ) -> [S::Scalar; N] {
     let constant = <S::Scalar as Scalar>::constant;
@@ -149,7 +185,7 @@ pub fn rank_steps<S: ChainState, const N: usize>(
             normalize(&mut state);
         }
         // All directions are kept, so none counts as redundant and the error needs no name of a hinge.
-        if assemble(&mut state, "", &mut correct).is_err() {
+        if close(&mut state, "", &mut correct).is_err() {
             continue;
         }
         let largest = steps.get_or_insert([constant(0.0); N]);
@@ -161,7 +197,7 @@ pub fn rank_steps<S: ChainState, const N: usize>(
 }
 
 /// Returns the smallest relative pivot of an independent direction: ε^⅝, which is larger than rounding and than the
-/// square of the distance that `assemble` leaves.
+/// square of the error that `close` leaves.
 fn rank_tolerance<T: Scalar>() -> T {
     let root = T::epsilon().sqrt();
     root * root.sqrt().sqrt()

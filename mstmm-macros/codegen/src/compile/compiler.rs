@@ -225,7 +225,7 @@ impl<'a> ChainCompiler<'a> {
         let q = equations::displace(self.chain, self.layout, &self.q, &correction.coordinates);
         let v: Vec<Expr> =
             self.v.iter().zip(correction.rates).map(|(&v, change)| v + change).collect();
-        let residual = [correction.residual, correction.excess];
+        let residual = [correction.residual, correction.relative, correction.excess];
         let outputs = vec![
             self.coordinates(outputs::COORDINATES, &q),
             self.rates(outputs::RATES, &v),

@@ -161,8 +161,8 @@ fn assemble(cx: &EmitContext) -> TokenStream {
         /// # Errors
         ///
         /// `Error::NotAssembled` if the corrections do not converge, `Error::ClosureRank` if the loop
-        /// constraints have a higher rank at the result than around the start of the description;
-        /// `state` is then unchanged.
+        /// constraints have a higher rank at the result than around the start of the description, and
+        /// `Error::NotFinite` if the state or the inputs are not finite; `state` is then unchanged.
         #(#[doc = #errors])*
         #[allow(dead_code)]
         #visibility fn assemble(
@@ -171,9 +171,12 @@ fn assemble(cx: &EmitContext) -> TokenStream {
             inputs_: &#inputs<T>,
         ) -> ::core::result::Result<(), #mstmm::Error> {
             #checked
-            #mstmm::generated::assemble(state_, #hinge, |state_| {
-                self.correct_nearby_(state_, inputs_)
-            })
+            #mstmm::generated::assemble::<Self>(
+                state_,
+                inputs_,
+                #hinge,
+                |state_, inputs_| self.correct_nearby_(state_, inputs_),
+            )
         }
     }
 }
@@ -215,7 +218,7 @@ fn correct_nearby(cx: &EmitContext) -> TokenStream {
         const ROTATIONS_: &'static [#mstmm::generated::RotationCoordinates] = #rotations;
 
         /// Corrects the state once, with rotations of at most half a rad.
-        fn correct_nearby_(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> [T; 2] {
+        fn correct_nearby_(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> #mstmm::generated::Residual<T> {
             let before_ = state_.q;
             let residual_ = self.correct(state_, inputs_);
             if #mstmm::generated::limit_rotations(
@@ -314,7 +317,7 @@ fn has_excess(correction: &CompiledFunction) -> bool {
     let residual = arrays.position(|it| it.role == ArrayRole::Result(outputs::RESIDUAL));
     correction.procedure.body.iter().any(|step| match step {
         Step::Store { to, values } if Some(to.array) == residual => {
-            values[1] != Some(Operand::Number(0.0))
+            values.last() != Some(&Some(Operand::Number(0.0)))
         }
         _ => false,
     })

@@ -9,7 +9,7 @@ use super::hinge::{coordinate_rates, dot, normalized};
 use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
 use super::loop_hinge::{LoopHinge, loop_hinge};
 use super::motion_problem::{LoopConstraints, MotionProblem, MotionSolution};
-use super::sweep::PerLink;
+use super::sweep::{Flatten, PerLink};
 use super::tangent::{Direction, Tangent};
 use super::{Axes, EvalContext, Trace, kinematics, riccati};
 use crate::ids::LinkId;
@@ -25,6 +25,8 @@ pub struct Projection<S> {
     pub rates: Vec<S>,
     /// The norm of position error and velocity error, in m, rad, m/s and rad/s.
     pub residual: S,
+    /// The same norm without units: lengths relative to the chain's size, velocities also to those of its hinges.
+    pub relative: S,
     /// The largest relative pivot among the constraints that count as redundant, from zero to one.
     /// Away from the loop constraints it is about the square of the distance from them.
     pub excess: S,
@@ -39,23 +41,72 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
     let poses = poses(context, &links);
     let position_error = position_error(context, &links, &loop_hinge, &poses);
     let velocity_error = velocity_error(&links, &loop_hinge, &poses);
-    let size = |motion: Motion<S>| {
+    let square = |motion: Motion<S>| {
         let axes = context.chain.dimension.axes();
         let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
         dot(&entries, &entries)
     };
+    let per_length = square_size(context, &links, &loop_hinge).sqrt().recip();
+    let relative = |Motion { linear, angular }: Motion<S>| {
+        square(Motion { linear: linear * per_length, angular })
+    };
+    let speed = context.tree.total(relative(loop_hinge.hinge.relative_velocity), |link, sum| {
+        sum + relative(links[link].hinge.relative_velocity)
+    });
     let (coordinates, excess) =
         minimal_motion(context, &links, &loop_hinge, position_error.motion, trace);
     let (rates, _) = minimal_motion(context, &links, &loop_hinge, velocity_error, trace);
+    let half_turn = position_error.half_turn_error();
+    // Rates below one rad/s have absolute errors.
+    let of_velocity = relative(velocity_error) * (S::one() + speed).recip();
     Some(Projection {
         coordinates,
         rates,
         excess,
-        residual: (size(position_error.motion)
-            + position_error.half_turn_error()
-            + size(velocity_error))
-        .sqrt(),
+        residual: (square(position_error.motion) + half_turn + square(velocity_error)).sqrt(),
+        relative: (relative(position_error.motion) + half_turn + of_velocity).sqrt(),
     })
+}
+
+/// Returns the square of the size of a chain: of all arms, and of the radius of gyration of all masses about the points of
+/// their links. Without inertias, where a chain of sliders may have no arms either, one metre is added.
+fn square_size<S: Scalar>(
+    context: &EvalContext<S>,
+    links: &PerLink<LinkKinematics<S>>,
+    loop_hinge: &LoopHinge<S>,
+) -> S {
+    let nothing = Sizes { arms: S::zero(), mass: S::zero(), inertia: S::zero() };
+    let all = context.tree.total(nothing, |index, sum| {
+        let link = &links[index];
+        Sizes {
+            arms: sum.arms + link.hinge.arm.dot(link.hinge.arm),
+            mass: sum.mass + link.mass,
+            inertia: sum.inertia + link.inertia.trace(),
+        }
+    });
+    let closing = loop_hinge.hinge.arm;
+    let own = match all.inertia.vanishes() {
+        true => S::one(),
+        false => all.inertia * all.mass.recip(),
+    };
+    all.arms + closing.dot(closing) + own
+}
+
+/// Sums over links.
+#[derive(Clone, Copy)]
+struct Sizes<S> {
+    /// Of the squares of the arms.
+    arms: S,
+    /// Of the masses.
+    mass: S,
+    /// Of the traces of the inertias.
+    inertia: S,
+}
+
+impl<S: Scalar> Flatten<S> for Sizes<S> {
+    fn visit(self, replace: &mut dyn FnMut(S) -> S) -> Self {
+        Sizes { arms: replace(self.arms), mass: replace(self.mass), inertia: replace(self.inertia) }
+    }
 }
 
 /// Returns the inputs with quaternions of prescribed motions normalised. A matrix of a quaternion of another length is no

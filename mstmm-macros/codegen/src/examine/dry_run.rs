@@ -9,7 +9,7 @@ use crate::model::{
     rotation_coordinates,
 };
 
-/// The residual in m, rad, m/s and rad/s below which a chain counts as closed.
+/// The relative residual below which a chain counts as closed.
 const CLOSED: f64 = 1e-9;
 
 pub(super) type Number = Structured<f64>;
@@ -116,7 +116,7 @@ impl DryRun {
         for _ in 0..CORRECTIONS {
             let context = self.context(&self.merged, &self.values, (&q, &v, &inputs));
             let correction = equations::project(&context, &mut Trace::silent())?;
-            let residual = correction.residual.value();
+            let residual = correction.relative.value();
             if residual < CLOSED {
                 return Some(Configuration { q, inputs });
             }

@@ -47,24 +47,24 @@ pub(super) fn normalized(cx: &EmitContext) -> MethodTemplate {
 }
 
 pub(super) fn correction(cx: &EmitContext) -> MethodTemplate {
+    let mstmm = &cx.mstmm;
     let (state, inputs) = (&cx.names.state, &cx.names.inputs);
     MethodTemplate {
         name: quote!(fn correct),
         docs: [
             quote! {
                 /// Corrects coordinates and rates once, by the motion of least kinetic energy that satisfies the
-                /// linearised loop constraints, and returns the residual: the distance from a closed chain and
-                /// the largest pivot of the redundant directions.
+                /// linearised loop constraints, and returns how far they were from satisfying them.
             },
             TokenStream::new(),
         ],
         arguments: quote!(state_: &mut #state<T>, inputs_: &#inputs<T>),
-        returns: quote!([T; 2]),
+        returns: quote!(#mstmm::generated::Residual<T>),
         opening: TokenStream::new(),
         end: quote! {
             state_.q.data.0 = [coordinates_];
             state_.v.data.0 = [rates_];
-            residual_
+            #mstmm::generated::Residual::from_array(residual_)
         },
         destination: |_, id| new(id.name),
     }
