@@ -32,7 +32,7 @@ pub use checks::{
 };
 pub use columns::{MotorColumns, columns, columns_of_part, input_columns};
 pub use linkage::{
-    CORRECTIONS, Residual, assemble, check_rank, closure_error, loop_closure, rank_steps,
+    CORRECTIONS, Residual, assemble, check_rank, close, closure_error, loop_closure, rank_steps,
 };
 pub use not_asked::{AsksJacobianOfBody, NotAsked, Unanswered};
 pub use packs::{lane, pack};

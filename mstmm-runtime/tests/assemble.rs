@@ -4,7 +4,7 @@ mod common;
 
 use common::State;
 use mstmm_runtime::generated::{
-    self, RotationCoordinates, check_rank, check_rotations, limit_rotations, rank_steps,
+    self, Residual, RotationCoordinates, check_rank, check_rotations, limit_rotations, rank_steps,
 };
 use mstmm_runtime::{ChainState, Error, Scalar};
 
@@ -14,12 +14,17 @@ fn start(q: f64) -> Start<f64> {
     State { q: [q], v: [1.0], t: 3.0 }
 }
 
+/// Of a chain of unit size.
+fn residual<T: Scalar>(distance: T, excess: T) -> Residual<T> {
+    Residual { distance, relative: distance, excess }
+}
+
 /// Of a chain without redundant directions.
 fn assemble<T: Scalar>(
     state: &mut Start<T>,
     mut correct: impl FnMut(&mut Start<T>) -> T,
 ) -> Result<(), Error> {
-    generated::assemble(state, "hook", |state| [correct(state), T::constant(0.0)])
+    generated::close(state, "hook", |state| residual(correct(state), T::constant(0.0)))
 }
 
 /// Newton's method on q² = 2; the rate is to be 2q.
@@ -104,14 +109,14 @@ fn rounding_that_stays_is_accepted() {
 #[test]
 fn a_redundant_direction_that_holds_on_the_closure_is_an_error() {
     let error = Err(Error::ClosureRank { hinge: "hook" });
-    assert_eq!(check_rank([1e-3, 1e-2], "hook"), Ok(()));
-    assert_eq!(check_rank([1e-12, 1e-11], "hook"), Ok(()));
-    assert_eq!(check_rank([1e-12, 1e-3], "hook"), error);
-    assert_eq!(check_rank([1e-6_f32, 1e-5], "hook"), Ok(()));
-    assert_eq!(check_rank([1e-6_f32, 1e-2], "hook"), error);
+    assert_eq!(check_rank(residual(1e-3, 1e-2), "hook"), Ok(()));
+    assert_eq!(check_rank(residual(1e-12, 1e-11), "hook"), Ok(()));
+    assert_eq!(check_rank(residual(1e-12, 1e-3), "hook"), error);
+    assert_eq!(check_rank(residual(1e-6_f32, 1e-5), "hook"), Ok(()));
+    assert_eq!(check_rank(residual(1e-6_f32, 1e-2), "hook"), error);
     let mut state = start(1.0);
     let refused =
-        generated::assemble(&mut state, "hook", |state| [toward_the_root_of_two(state), 0.1]);
+        generated::close(&mut state, "hook", |state| residual(toward_the_root_of_two(state), 0.1));
     assert_eq!((refused, state), (error, start(1.0)));
 }
 
@@ -146,7 +151,7 @@ fn rotations_of_a_correction_are_limited() {
 #[test]
 fn the_rank_of_a_closure_is_the_largest_around_the_start() {
     let pivots = |state: &Start<f64>| [1.0, (state.q[0] - 1.0).powi(2), 1e-20];
-    let steps = |gap: f64| rank_steps(&start(1.0), |_| {}, |_| [gap, 0.0], pivots);
+    let steps = |gap: f64| rank_steps(&start(1.0), |_| {}, |_| residual(gap, 0.0), pivots);
     assert_eq!(steps(0.0), [1.0, 1.0, 0.0]);
     // What cannot be assembled says nothing: then no direction counts as redundant.
     assert_eq!(steps(1.0), [1.0; 3]);

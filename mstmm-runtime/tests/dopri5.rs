@@ -171,6 +171,21 @@ fn advance_by_adds_the_duration_to_the_time() {
     }
 }
 
+/// Times of f32 are up to 62 ms apart at these starts, and durations a millisecond.
+#[test]
+fn durations_add_up_in_single_precision() {
+    for start in [0.0_f32, 3e3, 2e4, 4e4, 1e6] {
+        let (chain, mut state) = (Pendulum::<f32>::new(), Pendulum::at(0.0, 0.0));
+        state.t = start;
+        let mut integrator = Dopri5::new(1e-3, 1e-3);
+        for _ in 0..1000 {
+            integrator.advance_by(&chain, &mut state, 1e-3, |_, _| 0.0).unwrap();
+        }
+        let end = start + 1.0;
+        assert!((state.t - end).abs() <= end.next_up() - end, "{start}: {}", state.t);
+    }
+}
+
 /// Output at short intervals must not slow the control down: the step it goes on with is the one it
 /// had found.
 #[test]
@@ -323,6 +338,23 @@ fn tolerances_must_be_usable() {
     }
     let mut state = Pendulum::at(0.1, 0.0);
     Dopri5::new(0.0, 1e-6).step(&chain, &mut state, |_, _| 0.0).unwrap();
+    for (minimum, maximum) in [(0.1, 0.01), (f64::NAN, 1.0), (0.0, f64::NAN), (0.0, 0.0)] {
+        let mut integrator = Dopri5::new(1e-6, 1e-6).with_step_limits(minimum, maximum);
+        let refused = integrator.step(&chain, &mut state, |_, _| 0.0);
+        assert!(matches!(refused, Err(Error::InvalidParameter { name: "step limits", .. })));
+    }
+}
+
+/// A pendulum at 1e28 rad/s needs steps of 1e-29 s, which are never done with a second.
+#[test]
+fn a_run_away_state_ends_in_an_error() {
+    for start in [0.0, 1.0] {
+        let (chain, mut state) = (Pendulum::<f64>::new(), Pendulum::at(0.1, 1e28));
+        state.t = start;
+        let mut integrator = Dopri5::new(1e-6, 1e-6);
+        let refused = integrator.advance_by(&chain, &mut state, 1.0, |_, _| 0.0);
+        assert_eq!(refused, Err(Error::StepTooSmall));
+    }
 }
 
 /// The error of a state that stays zero is zero, which meets a relative tolerance too.

@@ -34,7 +34,9 @@ macro_rules! common_tests {
                     $method::new(0.01).advance_by(&chain, &mut by, duration, |t, _| t).unwrap();
                     let torque = |t, _: &_| Ok::<_, Error>(t);
                     $method::new(0.01).try_advance_by(&chain, &mut try_by, duration, torque).unwrap();
-                    assert_eq!([&by, &try_by], [&to, &to]);
+                    assert_eq!((&by, by.t), (&try_by, to.t));
+                    // The time 0.4 + duration is rounded.
+                    assert!((by.q[0] - to.q[0]).abs() + (by.v[0] - to.v[0]).abs() < 1e-15);
                 }
             }
 
@@ -108,11 +110,12 @@ macro_rules! common_tests {
                 assert_eq!(refused(0.0, 1.0), too_small);
                 let (mut late, mut method) = (start.clone(), $method::new(1e-10));
                 late.t = 1e9;
-                // Also if the end is the next time that a number can have.
-                for end in [2e9, 1e9_f64.next_up()] {
-                    let refused = method.advance_to(&chain, &mut late, end, |_, _| 0.0);
-                    assert_eq!(refused, Err(too_small));
-                }
+                let refused = method.advance_to(&chain, &mut late, 2e9, |_, _| 0.0);
+                assert_eq!(refused, Err(too_small));
+                // Steps below the spacing of times add up to the next one.
+                let (end, mut asked) = (1e9_f64.next_up(), 0);
+                method.advance_to(&chain, &mut late, end, |_, _| { asked += 1; 0.0 }).unwrap();
+                assert_eq!((late.t, asked), (end, 1192 * $evaluations));
                 let mut never = State { t: f64::NAN, ..start.clone() };
                 let refused = $method::new(0.1).advance_to(&chain, &mut never, 1.0, |_, _| 0.0);
                 assert_eq!(refused, Err(Error::NotFinite(Origin::Time)));
@@ -169,6 +172,25 @@ macro_rules! common_tests {
                 method.set_step_size(-0.5);
                 method.step(&chain, &mut state, |_, _| 0.0).unwrap();
                 assert_eq!((state.t, method.step_size()), (6.5, -0.5));
+            }
+
+            /// A controller of a kilohertz, hours after the start: times are further apart than its period.
+            #[test]
+            fn durations_add_up_in_single_precision() {
+                for start in [0.0, 3e3, 1e4, 2e4, 4e4, 1e6] {
+                    let (chain, mut state) = (Pendulum::<f32>::new(), Pendulum::at(0.0, 0.0));
+                    let mut method = $method::new(1e-3f32);
+                    (state.t, state.v[0]) = (start, 0.0);
+                    let mut asked = 0;
+                    for _ in 0..1000 {
+                        let count = |_: f32, _: &State<f32, 1, 1>| { asked += 1; 0.0 };
+                        method.advance_by(&chain, &mut state, 1e-3, count).unwrap();
+                    }
+                    assert_eq!(asked, 1000 * $evaluations);
+                    // Half of the spacing of times.
+                    let spacing = (start + 1.0).next_up() - (start + 1.0);
+                    assert!((state.t - (start + 1.0)).abs() <= spacing, "{start}: {}", state.t);
+                }
             }
 
             #[test]

@@ -46,7 +46,7 @@ impl<T> Residual<T> {
 /// [`Error::NotAssembled`] if the chain is not closed after 50 corrections, or if the error is not finite, and
 /// the error of [`check_rank`]. `state` is then unchanged.
 #[cold]
-fn close<S: ChainState>(
+pub fn close<S: ChainState>(
     state: &mut S,
     hinge: &'static str,
     mut correct: impl FnMut(&mut S) -> Residual<S::Scalar>,

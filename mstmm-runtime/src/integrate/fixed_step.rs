@@ -3,6 +3,7 @@
 use super::Real;
 use super::ask::ask;
 use super::combine::{copy, is_finite, not_finite};
+use super::step_control::LEAST_PART;
 use crate::description::Origin;
 use crate::{Chain, ChainState, Error, Scalar};
 
@@ -46,23 +47,59 @@ pub(super) fn advance_to<C: Chain, E: From<Error>>(
     chain: &C,
     state: &mut C::State,
     end: Real<C>,
+    inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
+    let now = state.time().max_lane();
+    if now == end {
+        return Ok(chain.check_state(state)?);
+    }
+    let target = Clock { time: C::Scalar::splat(end), lost: C::Scalar::default() };
+    // The rounding of `end` and of the time at which the count started.
+    let latest = if end.abs() > now.abs() { end.abs() } else { now.abs() };
+    advance(method, chain, state, (target, Real::<C>::epsilon() * latest), inputs)
+}
+
+/// Takes steps of full size and a last one, which take the time `duration` together.
+pub(super) fn advance_by<C: Chain, E: From<Error>>(
+    method: &mut impl FixedStep<C>,
+    chain: &C,
+    state: &mut C::State,
+    duration: Real<C>,
+    inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
+) -> Result<(), E> {
+    if duration == Real::<C>::default() {
+        return Ok(chain.check_state(state)?);
+    }
+    let target = method.pace().clock.advanced(state.time(), C::Scalar::splat(duration));
+    advance(method, chain, state, (target, Real::<C>::epsilon() * duration.abs()), inputs)
+}
+
+/// Takes steps of full size and a last one that ends at a time. The last one may be longer by `rounding`, so that no short
+/// one follows.
+fn advance<C: Chain, E: From<Error>>(
+    method: &mut impl FixedStep<C>,
+    chain: &C,
+    state: &mut C::State,
+    (target, rounding): (Clock<C::Scalar>, Real<C>),
     mut inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
 ) -> Result<(), E> {
-    if !end.is_finite() {
+    if !target.time.max_lane().is_finite() {
         return Err(Error::NotFinite(Origin::End).into());
     }
     chain.check_state(state)?;
-    while state.time().max_lane() != end {
-        let (span, clock) = method.pace().towards(state.time(), end);
-        if span.end == state.time() {
+    loop {
+        let Next { span, clock, is_last } = method.pace().towards(state.time(), target, rounding);
+        if !is_last && !method.pace().reaches(state.time(), target, clock) {
             return Err(
                 Error::InvalidParameter { name: "step", reason: "must move the clock" }.into()
             );
         }
         method.take(chain, state, span, &mut inputs)?;
         method.pace().clock = clock;
+        if is_last {
+            return Ok(());
+        }
     }
-    Ok(())
 }
 
 /// Ends a step: sets the time of `result`, normalises and projects it, and copies it to `state`.
@@ -108,29 +145,43 @@ impl<T: Scalar> Pace<T> {
         (Span { step, end: clock.time }, clock)
     }
 
-    /// Returns the next step towards `end`: a step of full size, or the time left if that is shorter, or longer by no
-    /// more than the rounding of the times and the step. The lane with the largest value decides.
-    fn towards(&self, now: T, end: T::Real) -> (Span<T>, Clock<T>) {
-        let time = now.max_lane();
-        let left = (end - time) - self.clock.owed(now).max_lane();
+    /// Returns the next step towards a time: a step of full size, or the time left if that is shorter, or longer by no
+    /// more than `rounding`. The lane with the largest value decides.
+    fn towards(&self, now: T, target: Clock<T>, rounding: T::Real) -> Next<T> {
+        let (owed, lost) = (self.clock.owed(now).max_lane(), target.lost.max_lane());
+        let left = (target.time.max_lane() - now.max_lane()) + (lost - owed);
         let size = self.step.max_lane().abs();
-        let latest = if end.abs() > time.abs() { end.abs() } else { time.abs() };
-        // The rounding of `end` and of the time at which the count started.
-        let rounding = T::Real::epsilon() * latest;
+        let rounding = rounding + T::Real::epsilon() * (lost.abs() + owed.abs());
         let rounding = if rounding < size { rounding } else { size };
-        if left.abs() <= size + rounding {
-            let clock = Clock { time: T::splat(end), lost: T::default() };
-            (Span { step: T::splat(left), end: clock.time }, clock)
-        } else {
-            self.whole(now, T::splat(size.copysign(left)))
-        }
+        let is_last = left.abs() <= size + rounding;
+        let (span, clock) = match is_last {
+            true => (Span { step: T::splat(left), end: target.time }, target),
+            false => self.whole(now, T::splat(size.copysign(left))),
+        };
+        Next { span, clock, is_last }
+    }
+
+    /// Returns whether steps reach a time: a step moves the clock, and is not too small a part of the time left.
+    fn reaches(&self, now: T, target: Clock<T>, next: Clock<T>) -> bool {
+        let left = target.time.max_lane() - now.max_lane();
+        let moves = next.time.max_lane() != now.max_lane()
+            || next.lost.max_lane() != self.clock.owed(now).max_lane();
+        let is_short = self.step.max_lane().abs() <= T::Real::constant(LEAST_PART) * left.abs();
+        moves && !is_short
     }
 }
 
+/// A step, and the clock after it.
+struct Next<T> {
+    span: Span<T>,
+    clock: Clock<T>,
+    is_last: bool,
+}
+
 /// A time and its rounding error (compensated summation).
-#[derive(Clone, Copy)]
-struct Clock<T> {
-    time: T,
+#[derive(Clone, Copy, Default)]
+pub(super) struct Clock<T> {
+    pub(super) time: T,
     lost: T,
 }
 
@@ -141,7 +192,7 @@ impl<T: Scalar> Clock<T> {
     }
 
     /// Returns the clock one step after `now`.
-    fn advanced(self, now: T, step: T) -> Self {
+    pub(super) fn advanced(self, now: T, step: T) -> Self {
         let change = step + self.owed(now);
         let time = now + change;
         // Knuth's two-sum, which is exact whichever of the two is larger.
@@ -173,8 +224,8 @@ macro_rules! fixed_step_methods {
             ///
             /// # Errors
             /// Those of [`step`](Self::step), [`Error::NotFinite`] if `end` is not finite, and
-            /// [`Error::InvalidParameter`] if the step is too small to change the time. `state` is then the result
-            /// of the last complete step.
+            /// [`Error::InvalidParameter`] if the step is too small to reach `end`. `state` is then the result of the
+            /// last complete step.
             #[doc(alias("AdvanceTo", "Simulator"))]
             pub fn advance_to(
                 &mut self,
@@ -186,11 +237,11 @@ macro_rules! fixed_step_methods {
                 self.try_advance_to(chain, state, end, always::<C>(inputs))
             }
 
-            /// Integrates `state` over `duration` in s, as [`advance_to`](Self::advance_to) does to the time
-            /// of `state` plus `duration`.
+            /// Integrates `state` over `duration` in s, with steps as [`advance_to`](Self::advance_to) takes
+            /// them.
             ///
-            /// A negative duration goes back in time. The end time is rounded, so calls in a row add up
-            /// rounding errors; [`advance_to`](Self::advance_to) does not.
+            /// A negative duration goes back in time. The time is summed with compensation: durations of calls in
+            /// a row add up to their sum, also where they are shorter than the spacing of times.
             ///
             /// # Errors
             /// Those of [`advance_to`](Self::advance_to).
@@ -247,8 +298,7 @@ macro_rules! fixed_step_methods {
                 duration: $crate::integrate::Real<C>,
                 inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
             ) -> Result<(), E> {
-                let end = $crate::Scalar::max_lane(state.time()) + duration;
-                self.try_advance_to(chain, state, end, inputs)
+                fixed_step::advance_by(self, chain, state, duration, inputs)
             }
         }
     };

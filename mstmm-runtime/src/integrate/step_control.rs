@@ -6,6 +6,9 @@ use crate::{ChainState, Error, Scalar};
 /// The largest number of attempts at one step; the last is 0.2⁶⁴ of the first.
 const MAX_ATTEMPTS: u32 = 64;
 
+/// With steps of this part of the time left, 10¹⁸ of them, no integration ends: 2⁻⁶⁰.
+pub(super) const LEAST_PART: f64 = 8.67e-19;
+
 /// The exponent of the error, in units of 1/128: 22/128 = 11/64. Control of order five requires 1/5 − ¾ of the exponent
 /// of the previous error, 0.171. Powers with dyadic fractions are products of square roots, whose bits are the same on
 /// every target.
@@ -38,9 +41,14 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         }
     }
 
-    /// Returns the step size to attempt from `time`, within the limits.
-    pub(super) fn proposal(&self, time: R) -> R {
-        clamp(self.step, self.shortest(time), self.maximum)
+    /// Returns the step size to attempt, within the limits.
+    pub(super) fn proposal(&self, shortest: R) -> R {
+        clamp(self.step, shortest, self.maximum)
+    }
+
+    /// Returns whether the limits are numbers, and the minimum is below the maximum.
+    pub(super) fn has_limits(&self) -> bool {
+        self.minimum <= self.maximum && self.maximum > R::default()
     }
 
     /// Sets the next step size after an accepted step of size `step`, which may differ from the proposed one.
@@ -57,15 +65,14 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         self.failures = 0;
     }
 
-    /// Sets a shorter step size after a rejected step of size `step` from `time`.
+    /// Sets a shorter step size after a rejected step of size `step`.
     ///
     /// The error may be infinite or NaN.
     ///
     /// # Errors
     /// [`Error::StepTooSmall`] if `step` was the shortest step, or after too many attempts.
-    pub(super) fn reject(&mut self, time: R, step: R, error: R) -> Result<(), Error> {
+    pub(super) fn reject(&mut self, shortest: R, step: R, error: R) -> Result<(), Error> {
         self.failures += 1;
-        let shortest = self.shortest(time);
         if step <= shortest || self.failures >= MAX_ATTEMPTS {
             self.failures = 0;
             self.step = R::default();
@@ -77,10 +84,13 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         Ok(())
     }
 
-    /// Returns the shortest step size to attempt: the user's minimum, or a few units in the last place of the time.
-    fn shortest(&self, time: R) -> R {
+    /// Returns the shortest step size to attempt: the user's minimum, a few units in the last place of the time, or the part
+    /// [`LEAST_PART`] of the time `left` to the end, so that a run-away state near time zero ends in an error.
+    pub(super) fn shortest(&self, time: R, left: R) -> R {
         let tick = R::constant(4.0) * R::epsilon() * time.abs();
-        if self.minimum > tick { self.minimum } else { tick }
+        let never = R::constant(LEAST_PART) * left.abs();
+        let least = if tick > never { tick } else { never };
+        if self.minimum > least { self.minimum } else { least }
     }
 }
 

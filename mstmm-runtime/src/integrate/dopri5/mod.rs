@@ -6,6 +6,7 @@ mod trial;
 use super::Real;
 use super::ask::always;
 use super::combine::{copy, start_plus_scaled, weighted_sum};
+use super::fixed_step::Clock;
 use super::held::held_methods;
 use super::step_control::StepControl;
 use super::tableau::{B, D};
@@ -59,6 +60,8 @@ pub struct Dopri5<C: Chain> {
     end: C::State,
     /// The time at the end of the last accepted step, if its stages are known.
     accepted: Option<Real<C>>,
+    /// The time that the durations of [`advance_by`](Dopri5::advance_by) add up to.
+    clock: Clock<Real<C>>,
 }
 
 /// The start of a step and the rates at its stages.
@@ -83,6 +86,7 @@ impl<C: Chain> Clone for Dopri5<C> {
             scratch: self.scratch.clone(),
             end: self.end.clone(),
             accepted: self.accepted,
+            clock: self.clock,
         }
     }
 }
@@ -120,6 +124,7 @@ impl<C: Chain> Dopri5<C> {
             scratch: C::State::zero_position(),
             end: C::State::zero_position(),
             accepted: None,
+            clock: Clock::default(),
         }
     }
 
@@ -133,7 +138,8 @@ impl<C: Chain> Dopri5<C> {
 
     /// Sets the shortest and the longest step in s.
     ///
-    /// The last step to an end time may be shorter.
+    /// The last step to an end time may be shorter. Steps return [`Error::InvalidParameter`] unless the maximum is positive and
+    /// the minimum is at most the maximum.
     pub fn with_step_limits(mut self, minimum: Real<C>, maximum: Real<C>) -> Self {
         (self.control.minimum, self.control.maximum) = (minimum.abs(), maximum.abs());
         self
@@ -169,7 +175,8 @@ impl<C: Chain> Dopri5<C> {
     /// have unit length up to the error of the stage.
     ///
     /// # Errors
-    /// - [`Error::InvalidParameter`] if a tolerance is negative or NaN, or both are zero.
+    /// - [`Error::InvalidParameter`] if a tolerance is negative or NaN, or both are zero, or the limits of the step are not a
+    ///   minimum and a maximum.
     /// - Those of [`Chain::check_state`], and of [`Chain::derivative_into`] at the start.
     /// - Those of [`Chain::check_inputs`] at any stage.
     /// - [`Error::StepTooSmall`] if no step meets the tolerance, or if all steps give values that are
@@ -230,8 +237,9 @@ impl<C: Chain> Dopri5<C> {
     /// Integrates `state` over `duration` in s, as [`advance_to`](Dopri5::advance_to) does to the time of
     /// `state` plus `duration`.
     ///
-    /// A negative duration goes back in time. The end time is rounded, so calls in a row add up rounding
-    /// errors; [`advance_to`](Dopri5::advance_to) does not.
+    /// A negative duration goes back in time. The end is the next representable time, and the rounding error is part of the
+    /// next call: durations of calls in a row add up to their sum. A call whose duration is shorter than the spacing of
+    /// times may change nothing.
     ///
     /// # Errors
     /// Those of [`advance_to`](Dopri5::advance_to).
@@ -293,8 +301,10 @@ impl<C: Chain> Dopri5<C> {
         duration: Real<C>,
         inputs: impl FnMut(C::Scalar, &C::State) -> Result<C::Inputs, E>,
     ) -> Result<(), E> {
-        let end = state.time().max_lane() + duration;
-        self.try_advance_to(chain, state, end, inputs)
+        let clock = self.clock.advanced(state.time().max_lane(), duration);
+        self.try_advance_to(chain, state, clock.time, inputs)?;
+        self.clock = clock;
+        Ok(())
     }
 
     /// Computes the state at `time` in s within the last accepted step into `out` (dense output).

@@ -42,6 +42,10 @@ impl<C: Chain> Dopri5<C> {
             let error = Error::InvalidParameter { name: "tolerance", reason: "must be positive" };
             return Err(error.into());
         }
+        if !self.control.has_limits() {
+            let (name, reason) = ("step limits", "must be a minimum and a maximum above it");
+            return Err(Error::InvalidParameter { name, reason }.into());
+        }
         let Self { steps: [a, b], end, .. } = self;
         let Stages { start, rates: [first, ..] } = if self.second { b } else { a };
         copy(start, state);
@@ -120,9 +124,11 @@ impl<C: Chain> Dopri5<C> {
     ) -> Result<(), Failure<X>> {
         let [a, b] = &self.steps;
         let start = if self.second { b } else { a }.start.time().max_lane();
+        let left = limit.map_or(Real::<C>::default(), |limit| limit - start);
+        let shortest = self.control.shortest(start, left);
         let mut cause = Error::StepTooSmall;
         loop {
-            let end = end_of_step(start, self.control.proposal(start), limit);
+            let end = end_of_step(start, self.control.proposal(shortest), limit);
             if end == start {
                 return Err(cause.into());
             }
@@ -148,7 +154,7 @@ impl<C: Chain> Dopri5<C> {
                 Ok(_) | Err(Error::NotFinite(_)) => Error::StepTooSmall,
                 Err(other) => other,
             };
-            self.control.reject(start, size, error).map_err(|_| cause)?;
+            self.control.reject(shortest, size, error).map_err(|_| cause)?;
         }
     }
 
