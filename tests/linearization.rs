@@ -1,6 +1,9 @@
 //! Linearisations of generated chains against the same chains on dual numbers: accelerations by coordinates, rates, inputs
 //! and parameters, the state matrices, and quaternion components.
 
+#[path = "linearization/steep.rs"]
+mod steep;
+
 use mstmm::description::Origin;
 use mstmm::lanes::NativeF64;
 use mstmm::prelude::*;

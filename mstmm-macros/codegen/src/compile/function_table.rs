@@ -27,6 +27,30 @@ const SOLVED: Option<Checks> = checked(&[outputs::ACCELERATIONS]);
 /// 1.15 of the time for three balls.
 const GRADIENT: &[OutputId] = &[outputs::ACCELERATIONS, outputs::BY_COORDINATES];
 
+impl FunctionSpec {
+    /// Returns the tests of the function for a chain. Derivatives of dry friction and of springs between bodies may overflow
+    /// where the efforts are finite: at a rate or a length near zero. They are tested then.
+    pub fn checks_for(&self, chain: &Chain) -> Option<Checks> {
+        let finite: &[OutputId] = match self.answer {
+            Answer::InverseDynamicsDerivatives => &[outputs::BY_COORDINATES, outputs::BY_RATES],
+            Answer::Linearization | Answer::Pull => &[
+                outputs::ACCELERATIONS,
+                outputs::BY_COORDINATES,
+                outputs::BY_RATES,
+                outputs::BY_PARAMETERS,
+            ],
+            _ => return self.checks,
+        };
+        let mut passives = chain.hinges.iter().flat_map(|hinge| &hinge.passive);
+        let is_steep =
+            !chain.springs.is_empty() || passives.any(|passive| passive.friction.is_some());
+        match is_steep {
+            true => self.checks.map(|checks| Checks { finite, ..checks }),
+            false => self.checks,
+        }
+    }
+}
+
 /// All functions, in the order of [`Answer::ALL`].
 pub(super) static FUNCTIONS: [FunctionSpec; 33] = [
     FunctionSpec {

@@ -134,7 +134,7 @@ fn compile_with(chain: &Chain, findings: &Findings, layout: &Layout, is_packed: 
         let jacobians = jacobians.into_iter().map(jacobian);
         let functions = ordered.into_iter().map(|(spec, by_columns, ordered)| {
             let limbs = limbs.as_ref().filter(|_| !by_rates || spec.answer != Answer::Regressor);
-            finish(Some(spec.answer), by_columns, ordered, spec.checks, limbs)
+            finish(Some(spec.answer), by_columns, ordered, spec.checks_for(chain), limbs)
         });
         Compiled {
             unknowns: compiler.unknowns().clone(),
