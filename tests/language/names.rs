@@ -179,6 +179,51 @@ fn names_of_primitive_types_mean_nothing() {
     assert_eq!(*chain.parameters().mass(), [1.0; 3]);
 }
 
+/// Constants and traits of the user, which generated code does not use.
+mod around {
+    #![allow(non_upper_case_globals, dead_code)]
+
+    const f: u8 = 1;
+    const state: u8 = 2;
+    const at: u8 = 3;
+    const index: u8 = 4;
+
+    /// Its methods are found before those of other traits.
+    trait Everywhere {
+        fn get(&self) {}
+        fn map(&self) {}
+        fn copied(&self) {}
+    }
+
+    impl<X: ?Sized> Everywhere for X {}
+
+    mstmm::mstmm_chain! {
+        pub plane chain Short {
+            answers = [basic, derivatives, linearize, push, pull, kinematics, momentum, regressor];
+            param mass = 1 kg;
+            body R { mass = mass; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; point tip = [1, 1]; }
+            ground -> pin a -> R r -> pin b -> R s;
+            load push { on = r.tip; force = input; }
+            spring coil { on = s.tip; to = [2, 1]; stiffness = 2; }
+            hinge a { torque = input; limits = [-1, 1]; limit_stiffness = 9; }
+        }
+        pub plane chain Long {
+            answers = [basic, derivatives, linearize, push, pull, kinematics, momentum, regressor];
+            param mass[3] = 1 kg;
+            body R { mass = mass; com = [0.3, 0.1]; inertia = 0.2 about com; output = [1, 0]; point tip = [1, 1]; }
+            ground -> repeat 3 { pin a -> R r };
+            load push { on = r.tip; force = input; }
+            hinge a { torque = input; damping = 0.1; }
+        }
+        pub chain Closed {
+            body R { mass = 1; com = [0.3, 0.1, 0]; inertia = diag(0.2, 0.2, 0.3) about com; output = [1, 0, 0]; }
+            ground -> ball a -> R r -> pin(z) b -> R s -> ball c -> ground at [1, 1, 0];
+            hinge a { start = rpy(10, 20, 30) deg; }
+            hinge b { start = 90 deg; }
+        }
+    }
+}
+
 /// Deprecated chains, whose own code uses them without a warning.
 mod deprecated {
     #![deny(warnings)]

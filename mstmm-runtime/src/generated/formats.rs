@@ -36,21 +36,22 @@ macro_rules! formats_of_chain_ {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! tables_ {
+    // A constant of the user may have any name without an underscore at its end: names of arguments are patterns.
     ($chain:ident $($(#[$doc:meta])* $name:ident $count:literal $of:ident)*) => { $(
         $(#[$doc])*
         ///
         /// The precision, 4 if omitted, and a sign `+` of the format are used: `{:+.6}`. `{:e}` writes powers of ten.
         impl<T: $crate::Scalar + ::core::fmt::Display> ::core::fmt::Display for $name<T> {
-            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            fn fmt(&self, formatter_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::generated::Listing::<T, $count>::$of::<$chain<T>>(self)
-                    .table(f, <T as ::core::fmt::Display>::fmt)
+                    .table(formatter_, <T as ::core::fmt::Display>::fmt)
             }
         }
         $(#[$doc])*
         impl<T: $crate::Scalar + ::core::fmt::LowerExp> ::core::fmt::LowerExp for $name<T> {
-            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+            fn fmt(&self, formatter_: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::generated::Listing::<T, $count>::$of::<$chain<T>>(self)
-                    .table(f, <T as ::core::fmt::LowerExp>::fmt)
+                    .table(formatter_, <T as ::core::fmt::LowerExp>::fmt)
             }
         }
     )* };
@@ -131,9 +132,9 @@ macro_rules! logs_ {
         impl<T: $crate::Scalar + $crate::generated::defmt::Format> $crate::generated::defmt::Format
             for $name<T>
         {
-            fn format(&self, f: $crate::generated::defmt::Formatter<'_>) {
+            fn format(&self, formatter_: $crate::generated::defmt::Formatter<'_>) {
                 let listing = $crate::generated::Listing::<T, $count>::$of::<$chain<T>>(self);
-                $crate::generated::defmt::Format::format(&listing, f);
+                $crate::generated::defmt::Format::format(&listing, formatter_);
             }
         }
     )* };

@@ -44,7 +44,9 @@ fn set(cx: &EmitContext, input: &Input, driven: &[Option<usize>]) -> TokenStream
         let [first, stride] = [first, stride].map(usize_literal);
         match is_repeated {
             false => quote!(efforts_[#first]),
-            true => quote!(efforts_.get(#first + #stride * index_).copied().unwrap_or_default()),
+            true => {
+                quote!(efforts_.as_slice().get(#first + #stride * index_).copied().unwrap_or_default())
+            }
         }
     };
     let efforts: Vec<TokenStream> = driven[input.range.clone()].iter().map(effort).collect();

@@ -47,7 +47,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
         #[#inline]
         fn point_(&self, index_: ::core::primitive::usize) -> #point {
             #located
-            <#point>::read(numbers_, Self::PLACES_.get(model_), self.base_acceleration)
+            <#point>::read(numbers_, Self::PLACES_.as_slice().get(model_), self.base_acceleration)
         }
 
         #vector

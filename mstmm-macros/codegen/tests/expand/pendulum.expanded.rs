@@ -645,7 +645,7 @@ impl<T: ::mstmm::Scalar> PendulumWorkspace<T> {
         let (model_, numbers_) = (index_, &self.numbers[..]);
         <::mstmm::Point<
             T,
-        >>::read(numbers_, Self::PLACES_.get(model_), self.base_acceleration)
+        >>::read(numbers_, Self::PLACES_.as_slice().get(model_), self.base_acceleration)
     }
     /// Returns acceleration, effort, input and output of hinge `joint`.
     #[inline]
