@@ -7,7 +7,7 @@ mod dry_run;
 mod start_warnings;
 
 use crate::diag::Diagnostics;
-use crate::equations::{LoopReaction, SymbolValues};
+use crate::equations::{HingePivot, LoopReaction, SymbolValues};
 use crate::math::PIVOT_ULPS;
 use crate::model::{Chain, ClosureRank, Drive, Hinge, HingeId, Layout, Request, Role};
 pub use drawing::{Drawing, DrawnEnd, DrawnMark, DrawnSpring};
@@ -66,7 +66,11 @@ struct SingularHinges {
     at_start: Vec<HingeId>,
     /// Those in all states: what they move has no inertia.
     always: Vec<HingeId>,
+    /// Whether the accelerations are not finite at the start, though all pivots are present.
+    overflows_at_start: bool,
 }
+
+const OVERFLOW: &str = "the accelerations at the start are not finite: a mass, a length or a stiffness is too large or too small";
 
 /// Returns the name of the hinge that closes a chain.
 fn closing_hinge<'a>(chain: &'a Chain, merged: &Layout) -> Option<&'a str> {
@@ -97,6 +101,9 @@ pub fn examine(chain: &Chain, diagnostics: &mut Diagnostics) -> Findings {
     }
     if moves_all {
         dry_run.warn_of_singular_accelerations(&singular.at_start, diagnostics);
+    }
+    if singular.overflows_at_start && dry_run.merged.loop_hinges.is_empty() {
+        diagnostics.error(chain.name.span(), OVERFLOW);
     }
     let closed = dry_run.closed_poses();
     let closes_from_start = !matches!(closed[..], [None, ..]);
@@ -135,9 +142,13 @@ impl DryRun {
             if !self.fits(&values) {
                 continue;
             }
-            let now = self.singular_in(&values, &self.pose(&values, seed));
+            let (now, is_finite) = self.singular_in(&values, &self.pose(&values, seed));
             let found = match &mut found {
-                None => found.insert(SingularHinges { at_start: now.clone(), always: now }),
+                None => found.insert(SingularHinges {
+                    at_start: now.clone(),
+                    overflows_at_start: now.is_empty() && !is_finite,
+                    always: now,
+                }),
                 Some(found) => {
                     found.always.retain(|hinge| now.contains(hinge));
                     found
@@ -150,14 +161,27 @@ impl DryRun {
         found.unwrap_or_default()
     }
 
-    /// Returns the hinges with a zero pivot in this pose.
-    fn singular_in(&self, values: &SymbolValues<Number>, pose: &Configuration) -> Vec<HingeId> {
+    /// Returns the hinges with a zero pivot in this pose, and whether the accelerations are finite.
+    fn singular_in(
+        &self,
+        values: &SymbolValues<Number>,
+        pose: &Configuration,
+    ) -> (Vec<HingeId>, bool) {
         let solved = self.solved(values, pose);
-        let vanishing = solved.pivots.iter().filter(|pivot| {
-            let (value, scale) = (pivot.value.value(), pivot.scale.value());
+        let numbers = |pivot: &HingePivot<Number>| (pivot.value.value(), pivot.scale.value());
+        let is_known = |pivot: &&HingePivot<Number>| {
+            let (value, scale) = numbers(pivot);
+            value.is_finite() && scale.is_finite()
+        };
+        let vanishing = solved.pivots.iter().filter(is_known).filter(|pivot| {
+            let (value, scale) = numbers(pivot);
             value.abs() <= PIVOT_ULPS * f64::EPSILON * scale
         });
-        vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect()
+        let hinges = vanishing.map(|pivot| self.merged.links[pivot.link].hinge).collect();
+        let mut accelerations = solved.accelerations.iter();
+        let is_finite = solved.pivots.iter().all(|pivot| is_known(&pivot))
+            && accelerations.all(|acceleration| acceleration.value().is_finite());
+        (hinges, is_finite)
     }
 
     /// Returns the largest mass divided by the smallest mass or 1 kg, whichever is less.
