@@ -94,6 +94,20 @@ impl<'a> Element<'a> {
         self.attribute(name).ok_or_else(missing)
     }
 
+    /// Returns one of several words, if the attribute is present. Other words are errors.
+    pub fn keyword(self, name: &str, words: &[&str]) -> Result<Option<&'a str>> {
+        let Some(found) = self.attribute(name) else { return Ok(None) };
+        if words.contains(&found) {
+            return Ok(Some(found));
+        }
+        let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+        let allowed = match &quoted[..] {
+            [words @ .., last] if !words.is_empty() => format!("{} or {last}", words.join(", ")),
+            _ => quoted.concat(),
+        };
+        Err(self.error(format!("`{name}` is {allowed}, not `{found}`")))
+    }
+
     /// Returns a finite number, or the default if the attribute is absent.
     pub fn number(self, name: &str, default: f64) -> Result<f64> {
         let value = self.any_number(name, default)?;

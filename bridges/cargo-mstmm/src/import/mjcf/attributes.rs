@@ -29,6 +29,12 @@ impl<'a> Attributes<'a> {
         elements.iter().find_map(|element| element.attribute(name))
     }
 
+    /// Returns one of several words, if the attribute is present. Other words are errors.
+    pub fn keyword(&self, name: &str, words: &[&str]) -> Result<Option<&'a str>> {
+        let element = self.elements.iter().find(|element| element.attribute(name).is_some());
+        element.map_or(Ok(None), |element| element.keyword(name, words))
+    }
+
     /// Returns the finite numbers of an attribute; none if it is absent.
     pub fn numbers_of(&self, name: &str) -> Result<Vec<f64>> {
         let Some(element) = self.elements.iter().find(|it| it.attribute(name).is_some()) else {
@@ -139,6 +145,12 @@ impl<'a> Defaults<'a> {
     }
 }
 
+/// The words of an attribute that is true or false.
+pub const BOOL: [&str; 2] = ["true", "false"];
+
+/// The words of an attribute that may depend on others.
+pub const BOOL_OR_AUTO: [&str; 3] = ["true", "false", "auto"];
+
 /// The settings of the element `compiler`.
 pub struct Compiler {
     /// Angles within this of whole degrees are these.
@@ -155,36 +167,19 @@ impl Compiler {
         let mut read =
             Compiler { snap, in_degrees: true, euler: "xyz".chars().collect(), limits_alone: true };
         for compiler in root.children("compiler") {
-            let is_set = |name: &str, value: &str| compiler.attribute(name) == Some(value);
-            let refused = |reason: &str| -> Result<()> { Err(compiler.error(reason)) };
-            if is_set("coordinate", "global") {
-                refused("`coordinate=\"global\"` is not read")?;
-            }
-            if is_set("inertiafromgeom", "true") {
-                refused("`inertiafromgeom=\"true\"`: masses of geoms are not read")?;
-            }
-            if is_set("balanceinertia", "true") {
-                refused("`balanceinertia` changes tensors, and is not read")?;
-            }
-            for setting in ["boundmass", "boundinertia", "settotalmass"] {
-                if compiler.number(setting, 0.0)? > 0.0 {
-                    refused(&format!("`{setting}` changes masses, and is not read"))?;
-                }
-            }
-            match compiler.attribute("angle") {
-                Some("radian") => read.in_degrees = false,
-                Some("degree") => read.in_degrees = true,
-                _ => {}
+            refuse_masses(compiler)?;
+            if let Some(unit) = compiler.keyword("angle", &["degree", "radian"])? {
+                read.in_degrees = unit == "degree";
             }
             if let Some(sequence) = compiler.attribute("eulerseq") {
                 read.euler = sequence.chars().collect();
                 let is_axis = |letter: &char| "xyzXYZ".contains(*letter);
                 if read.euler.len() != 3 || !read.euler.iter().all(is_axis) {
-                    refused("`eulerseq` is not three axes")?;
+                    return Err(compiler.error("`eulerseq` is not three axes"));
                 }
             }
-            if is_set("autolimits", "false") {
-                read.limits_alone = false;
+            if let Some(limits) = compiler.keyword("autolimits", &BOOL)? {
+                read.limits_alone = limits == "true";
             }
         }
         Ok(read)
@@ -257,6 +252,26 @@ impl Compiler {
         }
         rotation
     }
+}
+
+/// Refuses settings by which masses and frames are not those of the file.
+fn refuse_masses(compiler: Element) -> Result<()> {
+    let refused = |reason: &str| -> Result<()> { Err(compiler.error(reason)) };
+    if compiler.keyword("coordinate", &["local", "global"])? == Some("global") {
+        refused("`coordinate=\"global\"` is not read")?;
+    }
+    if compiler.keyword("inertiafromgeom", &BOOL_OR_AUTO)? == Some("true") {
+        refused("`inertiafromgeom=\"true\"`: masses of geoms are not read")?;
+    }
+    if compiler.keyword("balanceinertia", &BOOL)? == Some("true") {
+        refused("`balanceinertia` changes tensors, and is not read")?;
+    }
+    for setting in ["boundmass", "boundinertia", "settotalmass"] {
+        if compiler.number(setting, 0.0)? > 0.0 {
+            refused(&format!("`{setting}` changes masses, and is not read"))?;
+        }
+    }
+    Ok(())
 }
 
 /// Returns the shortest rotation from z to an axis.

@@ -7,7 +7,7 @@ use super::super::error::Result;
 use super::super::frame::Frame;
 use super::super::robot::{Joint, Kind, Limit, Note};
 use super::Reader;
-use super::attributes::Attributes;
+use super::attributes::{Attributes, BOOL_OR_AUTO};
 
 impl Reader<'_> {
     /// Reads the joint between two links.
@@ -99,13 +99,10 @@ impl Reader<'_> {
         let wrong = |message: String| Err(joint.element().error(message));
         let range = joint.numbers::<2>("range")?;
         let has_width = range.is_some_and(|[low, high]| low < high);
-        let is_limited = match joint.text("limited").unwrap_or("auto") {
-            "true" => true,
-            "false" => false,
-            "auto" => self.compiler.limits_alone && has_width,
-            other => {
-                return wrong(format!("`limited` is `true`, `false` or `auto`, not `{other}`"));
-            }
+        let is_limited = match joint.keyword("limited", &BOOL_OR_AUTO)? {
+            Some("true") => true,
+            Some("false") => false,
+            _ => self.compiler.limits_alone && has_width,
         };
         if !is_limited || kind == Kind::Floating {
             return Ok(None);

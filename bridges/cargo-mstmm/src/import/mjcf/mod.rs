@@ -16,7 +16,7 @@ use super::frame::Frame;
 use super::mass::Mass;
 use super::robot::{Joint, Kind, Limit, Link, Mimic, Robot};
 use super::xml::Element;
-use attributes::{Attributes, Compiler, Defaults};
+use attributes::{Attributes, BOOL, Compiler, Defaults};
 use settings::Settings;
 
 /// Elements that change what is described; MuJoCo writes a file without them.
@@ -159,7 +159,7 @@ impl<'a> Reader<'a> {
         if body.number("gravcomp", 0.0)? != 0.0 && moves && has_gravity {
             notes.push(body.note("`gravcomp` is omitted; the whole weight acts here"));
         }
-        if body.attribute("mocap") == Some("true") {
+        if body.keyword("mocap", &BOOL)? == Some("true") {
             notes.push(body.note("`mocap` is omitted; the body is fixed to the ground here"));
         }
         notes.extend(body.child("plugin").map(|plugin| plugin.note("plugins are omitted")));

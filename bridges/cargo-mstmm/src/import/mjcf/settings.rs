@@ -6,6 +6,7 @@ use std::collections::HashMap;
 use super::super::error::Result;
 use super::super::robot::{Mimic, Note};
 use super::super::xml::Element;
+use super::attributes::BOOL;
 
 /// Gravity, and which passive efforts act.
 pub struct Settings {
@@ -45,11 +46,7 @@ fn is_enabled(root: Element, name: &str) -> Result<bool> {
     let Some(flag) = flags.filter(|flag| flag.attribute(name).is_some()).last() else {
         return Ok(true);
     };
-    match flag.required_attribute(name)? {
-        "enable" => Ok(true),
-        "disable" => Ok(false),
-        other => Err(flag.error(format!("`{name}` is `enable` or `disable`, not `{other}`"))),
-    }
+    Ok(flag.keyword(name, &["enable", "disable"])? != Some("disable"))
 }
 
 /// Returns what the model has and the text does not, except for what bodies and joints have.
@@ -85,7 +82,10 @@ pub fn couples(root: Element) -> Result<HashMap<String, Mimic>> {
         return Ok(couples);
     }
     let equations = root.children("equality").flat_map(Element::any_children);
-    for equation in equations.filter(|equation| equation.attribute("active") != Some("false")) {
+    for equation in equations {
+        if equation.keyword("active", &BOOL)? == Some("false") {
+            continue;
+        }
         match equation.tag() {
             "joint" => {
                 let joint = equation.required_attribute("joint1")?.to_owned();
