@@ -22,6 +22,7 @@ mod parts;
 mod robot;
 mod scope;
 mod shapes;
+mod spelling;
 mod text;
 mod visual;
 mod xacro;

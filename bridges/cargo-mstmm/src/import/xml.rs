@@ -55,9 +55,9 @@ impl<'a> Element<'a> {
     /// Returns a message after the innermost name of a link, a joint or a body.
     fn named(self, message: impl std::fmt::Display) -> String {
         let is_owner = |tag: &str| matches!(tag, "link" | "joint" | "body");
-        let mut owners = self.node.ancestors().filter(|node| is_owner(node.tag_name().name()));
-        let owner =
-            owners.find_map(|owner| Some((owner.tag_name().name(), owner.attribute("name")?)));
+        let owners = self.node.ancestors().map(Element::new);
+        let mut owners = owners.filter(|owner| is_owner(owner.tag()));
+        let owner = owners.find_map(|owner| Some((owner.tag(), owner.name()?)));
         let owner = owner.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
         format!("{owner}{message}")
     }
@@ -81,12 +81,26 @@ impl<'a> Element<'a> {
         self.children(tag).next()
     }
 
+    /// Returns the only child element with a tag, if there is one. Several are an error.
+    pub fn only_child(self, tag: &str) -> Result<Option<Element<'a>>> {
+        let mut children = self.children(tag);
+        match (children.next(), children.next()) {
+            (_, Some(second)) => Err(second.error(format!("a second `{tag}`: keep one"))),
+            (first, None) => Ok(first),
+        }
+    }
+
     pub fn required_child(self, tag: &str) -> Result<Element<'a>> {
         self.child(tag).ok_or_else(|| self.error(format!("expected an element `{tag}`")))
     }
 
     pub fn attribute(self, name: &str) -> Option<&'a str> {
         self.node.attribute(name)
+    }
+
+    /// Returns the attribute `name`, unless it is empty.
+    pub fn name(self) -> Option<&'a str> {
+        self.attribute("name").filter(|name| !name.is_empty())
     }
 
     pub fn required_attribute(self, name: &str) -> Result<&'a str> {

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use super::super::error::Result;
 use super::super::frame::Frame;
 use super::super::robot::{Joint, Kind, Limit, Note};
-use super::Reader;
 use super::attributes::{Attributes, BOOL_OR_AUTO};
+use super::{Reader, WORLD};
 
 impl Reader<'_> {
     /// Reads the joint between two links.
@@ -20,6 +20,11 @@ impl Reader<'_> {
     ) -> Result<Joint> {
         let element = joint.element();
         let kind = kind(joint)?;
+        if kind == Kind::Floating && parent != WORLD {
+            return Err(element.error(
+                "a free joint in a body of another body: MuJoCo has them only in bodies of the world",
+            ));
+        }
         for refused in ["ref", "stiffness", "springdamper"] {
             if joint.numbers_of(refused)?.iter().any(|number| *number != 0.0) {
                 return Err(element.error(format!("`{refused}` of a joint is not read")));
@@ -34,7 +39,7 @@ impl Reader<'_> {
             (Kind::Continuous, Some(_)) => Kind::Revolute,
             (kind, _) => kind,
         };
-        let name = joint.text("name").map_or_else(|| format!("{body}_joint"), str::to_owned);
+        let name = element.name().map_or_else(|| format!("{body}_joint"), str::to_owned);
         let damping = self.damping(joint, &name)?;
         let friction = not_negative(joint, "frictionloss", joint.numbers("frictionloss")?)?;
         let armature = not_negative(joint, "armature", joint.numbers("armature")?)?;

@@ -9,7 +9,7 @@ mod settings;
 mod spelling;
 
 use nalgebra::{Matrix3, Vector3};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::error::{ImportError, Result};
 use super::frame::Frame;
@@ -21,6 +21,9 @@ use settings::Settings;
 
 /// Elements that change what is described; MuJoCo writes a file without them.
 const EXPANDED: [&str; 5] = ["include", "replicate", "attach", "composite", "flexcomp"];
+
+/// The index of the link that is the world.
+const WORLD: usize = 0;
 
 /// Reads the element `mujoco`.
 pub fn read(root: Element, snap: f64) -> Result<Robot> {
@@ -44,13 +47,20 @@ pub fn read(root: Element, snap: f64) -> Result<Robot> {
             notes,
         },
         settings,
-        taken: HashMap::new(),
+        bodies: root
+            .descendants()
+            .filter(|it| it.tag() == "body")
+            .filter_map(Element::name)
+            .collect(),
+        taken: HashSet::new(),
+        joints: HashSet::new(),
+        sites: HashSet::new(),
         moves: Vec::new(),
         couples: settings::couples(root)?,
     };
-    let world = reader.link("world".to_owned(), root, Mass::none())?;
+    reader.link("world".to_owned(), root, Mass::none())?;
     for element in root.children("worldbody") {
-        reader.contents(element, world, &Frame::identity(), None)?;
+        reader.contents(element, WORLD, &Frame::identity(), None)?;
     }
     Ok(reader.robot)
 }
@@ -60,8 +70,14 @@ struct Reader<'a> {
     defaults: Defaults<'a>,
     settings: Settings,
     robot: Robot,
-    /// The names of links.
-    taken: HashMap<String, ()>,
+    /// The names of all bodies of the file.
+    bodies: HashSet<&'a str>,
+    /// The names of links so far.
+    taken: HashSet<String>,
+    /// The names of joints so far.
+    joints: HashSet<&'a str>,
+    /// The names of sites so far.
+    sites: HashSet<&'a str>,
     /// Whether joints move each link.
     moves: Vec<bool>,
     /// The joints that equations couple.
@@ -71,12 +87,20 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// Adds a link and returns its index.
     fn link(&mut self, name: String, element: Element, mass: Mass) -> Result<usize> {
-        if self.taken.insert(name.clone(), ()).is_some() {
+        if !self.taken.insert(name.clone()) {
             return Err(element.error(format!("the body `{name}` exists twice")));
         }
         self.robot.links.push(Link { name, place: element.place(), mass, visuals: Vec::new() });
         self.moves.push(false);
         Ok(self.robot.links.len() - 1)
+    }
+
+    /// Returns a name that neither a link nor a body of the file has: the name, or with the suffix.
+    fn free_name(&self, mut name: String, suffix: &str) -> String {
+        while self.taken.contains(&name) || self.bodies.contains(&*name) {
+            name.push_str(suffix);
+        }
+        name
     }
 
     /// Reads the bodies, sites and frames in an element; `outer` is its frame in the frame of the link.
@@ -96,6 +120,16 @@ impl<'a> Reader<'a> {
                     let inner = self.frame(&Attributes::only(child))?;
                     self.contents(child, link, &outer.compose(&inner), class)?;
                 }
+                tag @ ("joint" | "freejoint" | "inertial") if link == WORLD => {
+                    return Err(
+                        child.error(format!("the world has no `{tag}`: write it in a body"))
+                    );
+                }
+                tag @ ("joint" | "freejoint" | "inertial") if element.tag() == "frame" => {
+                    return Err(child.error(format!(
+                        "a `{tag}` in a `frame` is not read: write it in the body, without the frame"
+                    )));
+                }
                 _ => {}
             }
         }
@@ -112,26 +146,11 @@ impl<'a> Reader<'a> {
         let class = element.attribute("childclass").or(class);
         let own = Attributes::only(element);
         let frame = outer.compose(&self.frame(&own)?);
-        let name = match element.attribute("name") {
+        let name = match element.name() {
             Some(name) => name.to_owned(),
-            None => format!("body{}", self.robot.links.len()),
+            None => self.free_name(format!("body{}", self.robot.links.len()), "_link"),
         };
-        let joints: Vec<Element<'a>> = element
-            .any_children()
-            .filter(|child| matches!(child.tag(), "joint" | "freejoint"))
-            .collect();
-        let moving = match joints.as_slice() {
-            [] => None,
-            [joint] => Some(self.defaults.of(*joint, "joint", class)?),
-            [_, second, ..] => {
-                let count = joints.len();
-                let message = format!(
-                    "body `{}` has {count} joints, and a chain has a body after each hinge",
-                    name.escape_debug()
-                );
-                return Err(ImportError::at(second.place(), message));
-            }
-        };
+        let moving = self.moving(element, &name, class)?;
         let anchor = match &moving {
             Some(joint) => joint.vector("pos", [0.0; 3])?,
             None => Vector3::zeros(),
@@ -139,6 +158,7 @@ impl<'a> Reader<'a> {
         let to_anchor = |sign: f64| Frame::at(anchor * sign);
         let moves = moving.is_some() || self.moves[parent];
         self.omitted(element, moves)?;
+        element.only_child("inertial")?;
         // The mass of the ground does not matter.
         let mass = if moves { self.mass(element)? } else { Mass::none() };
         let link = self.link(name.clone(), element, mass.seen_from(&to_anchor(-1.0)))?;
@@ -150,6 +170,33 @@ impl<'a> Reader<'a> {
         };
         self.robot.joints.push(joint);
         self.contents(element, link, &to_anchor(-1.0), class)
+    }
+
+    /// Returns the only joint of a body, if it has one.
+    fn moving(
+        &mut self,
+        body: Element<'a>,
+        name: &str,
+        class: Option<&'a str>,
+    ) -> Result<Option<Attributes<'a>>> {
+        let is_joint = |child: &Element| matches!(child.tag(), "joint" | "freejoint");
+        let joints: Vec<Element<'a>> = body.any_children().filter(is_joint).collect();
+        let joint = match joints[..] {
+            [] => return Ok(None),
+            [joint] => joint,
+            [_, second, ..] => {
+                let count = joints.len();
+                let message = format!(
+                    "body `{}` has {count} joints, and a chain has a body after each hinge",
+                    name.escape_debug()
+                );
+                return Err(ImportError::at(second.place(), message));
+            }
+        };
+        if let Some(name) = joint.name().filter(|name| !self.joints.insert(name)) {
+            return Err(ImportError::at(joint.place(), format!("the joint `{name}` exists twice")));
+        }
+        self.defaults.of(joint, "joint", class).map(Some)
     }
 
     /// Notes what a body has and the text does not.
@@ -174,15 +221,17 @@ impl<'a> Reader<'a> {
         outer: &Frame,
         class: Option<&'a str>,
     ) -> Result<()> {
-        let Some(name) = element.attribute("name") else { return Ok(()) };
+        let Some(name) = element.name() else { return Ok(()) };
+        if !self.sites.insert(name) {
+            return Err(element.error(format!("the site `{name}` exists twice")));
+        }
         let site = self.defaults.of(element, "site", class)?;
         let inner = match self.compiler.line(&site)? {
             Some((middle, rotation)) => Frame::rotated(middle, &rotation, self.compiler.snap),
             None => self.frame(&site)?,
         };
         let frame = outer.compose(&inner);
-        let is_taken = self.taken.contains_key(name);
-        let name = if is_taken { format!("{name}_site") } else { name.to_owned() };
+        let name = self.free_name(name.to_owned(), "_site");
         let link = self.link(name.clone(), element, Mass::none())?;
         self.robot.joints.push(fixed(&name, element, [parent, link], frame));
         Ok(())
