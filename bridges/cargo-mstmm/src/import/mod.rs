@@ -24,6 +24,7 @@ mod scope;
 mod shapes;
 mod spelling;
 mod text;
+mod urdf_words;
 mod visual;
 mod xacro;
 mod xml;

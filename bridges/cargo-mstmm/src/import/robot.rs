@@ -8,6 +8,8 @@ use super::error::{ImportError, Place, Result, on_one_line};
 use super::frame::{Angle, Frame};
 use super::mass::Mass;
 use super::mjcf;
+use super::spelling;
+use super::urdf_words;
 use super::visual::{Visual, visuals};
 use super::xacro;
 use super::xml::Element;
@@ -143,7 +145,7 @@ impl Robot {
                 ));
             }
         }
-        let mut notes = Vec::new();
+        let mut notes = spelling::notes(root, urdf_words::KNOWN);
         let joints =
             root.children("joint").map(|element| joint(element, &indices, snap, &mut notes));
         let joints = joints.collect::<Result<Vec<_>>>()?;
@@ -168,20 +170,21 @@ fn end(text: &str) -> Place {
 }
 
 fn link(element: Element, snap: f64) -> Result<Link> {
-    let name = element.required_attribute("name")?.to_owned();
-    let mass = element.child("inertial").map_or_else(|| Ok(Mass::none()), |e| mass(e, snap))?;
+    let name = element.required_name()?.to_owned();
+    let mass =
+        element.only_child("inertial")?.map_or_else(|| Ok(Mass::none()), |e| mass(e, snap))?;
     Ok(Link { name, place: element.place(), mass, visuals: visuals(element)? })
 }
 
 /// Reads the element `inertial`.
 fn mass(element: Element, snap: f64) -> Result<Mass> {
-    let mass = element.required_child("mass")?;
+    let mass = element.required_only_child("mass")?;
     let value = mass.required_number("value")?;
     if value < 0.0 {
         return Err(mass.error(format!("the mass {value} kg is negative")));
     }
-    let inertia = element.required_child("inertia")?;
-    let entry = |name: &str| inertia.number(name, 0.0);
+    let inertia = element.required_only_child("inertia")?;
+    let entry = |name: &str| inertia.required_number(name);
     let (xx, yy, zz) = (entry("ixx")?, entry("iyy")?, entry("izz")?);
     let (xy, xz, yz) = (entry("ixy")?, entry("ixz")?, entry("iyz")?);
     let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
@@ -196,7 +199,7 @@ fn joint(
     snap: f64,
     notes: &mut Vec<Note>,
 ) -> Result<Joint> {
-    let name = element.required_attribute("name")?.to_owned();
+    let name = element.required_name()?.to_owned();
     let kind = kind(element)?;
     let linked = |tag: &str| {
         let end = element.required_child(tag)?;
@@ -254,13 +257,14 @@ fn origin(element: Element, snap: f64) -> Result<Frame> {
     Ok(Frame::new(element.vector("xyz", [0.0; 3])?, angles))
 }
 
-/// Returns the axis in the joint's frame, x by default.
+/// Returns the axis in the joint's frame, x without the element.
 fn axis(element: Element, kind: Kind) -> Result<Vector3<f64>> {
     let x = Vector3::x();
     let Some(axis) = element.child("axis") else { return Ok(x) };
     if matches!(kind, Kind::Fixed | Kind::Floating) {
         return Ok(x);
     }
+    axis.required_attribute("xyz")?;
     let vector = axis.vector("xyz", x.into())?;
     let principal = vector.iter().filter(|component| **component != 0.0).count();
     match principal {

@@ -90,6 +90,10 @@ impl<'a> Element<'a> {
         }
     }
 
+    pub fn required_only_child(self, tag: &str) -> Result<Element<'a>> {
+        self.only_child(tag)?.map_or_else(|| self.required_child(tag), Ok)
+    }
+
     pub fn required_child(self, tag: &str) -> Result<Element<'a>> {
         self.child(tag).ok_or_else(|| self.error(format!("expected an element `{tag}`")))
     }
@@ -101,6 +105,13 @@ impl<'a> Element<'a> {
     /// Returns the attribute `name`, unless it is empty.
     pub fn name(self) -> Option<&'a str> {
         self.attribute("name").filter(|name| !name.is_empty())
+    }
+
+    pub fn required_name(self) -> Result<&'a str> {
+        match self.required_attribute("name")? {
+            "" => Err(self.error(format!("`{}` has an empty `name`", self.tag()))),
+            name => Ok(name),
+        }
     }
 
     pub fn required_attribute(self, name: &str) -> Result<&'a str> {
