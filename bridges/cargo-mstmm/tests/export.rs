@@ -81,6 +81,34 @@ fn what_urdf_has_is_written_out() {
     assert!(imported.text.contains("mass = 6 kg;"), "{}", imported.text);
 }
 
+/// Returns a file with a link that moves by a joint with limits.
+fn limited(name: &str, kind: &str, effort: &str) -> String {
+    format!(
+        "<robot name=\"{name}\"><link name=\"base\"/><link name=\"rod\"><inertial><mass value=\"1\"/>
+         <inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial></link>
+         <joint name=\"turn\" type=\"{kind}\"><parent link=\"base\"/><child link=\"rod\"/><axis xyz=\"0 0 1\"/>
+         <limit lower=\"-1\" upper=\"1\" effort=\"{effort}\" velocity=\"1\"/></joint></robot>"
+    )
+}
+
+#[test]
+fn names_and_efforts_survive_a_round_trip() {
+    let mut files = Vec::new();
+    for name in ["t", "T", "State", "self", "a_b_c", "t_2", "Trobot", "TRobot", "", "7up"] {
+        files.push(limited(name, "revolute", "2"));
+    }
+    for effort in ["5.689773361501515", "9.930923443847735", "0.1", "3.0000000000000004"] {
+        files.push(limited("r", "revolute", effort));
+        files.push(limited("r", "prismatic", effort));
+    }
+    for file in files {
+        let first = import(&file, &Options::default()).expect("a chain").text;
+        let urdf = export(&first, None).expect("a file");
+        let second = import(&urdf, &Options::default()).expect("a chain").text;
+        assert_eq!(tokens(&first), tokens(&second), "{file}\n{urdf}");
+    }
+}
+
 /// URDF requires unit vectors; digits of axes that are rounded stay.
 #[test]
 fn axes_have_unit_length() {

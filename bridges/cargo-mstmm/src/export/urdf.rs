@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use super::values::Values;
 use super::visuals::visuals;
-use crate::import::{Names, number, shortest};
+use crate::import::{Distance, Names, number};
 
 /// The name of the root link, unless it is a floating base. No body can have it.
 const GROUND: &str = "ground";
@@ -151,11 +151,11 @@ impl Writer<'_> {
 
     /// Writes limits, damping and friction. [`NOT_FROM_CHAIN`] explains the values that URDF requires.
     fn passive(&mut self, passive: &Passive, kind: &str) {
-        let unit = if kind == "prismatic" { 1e-3 } else { std::f64::consts::PI / 180.0 };
+        let distance = if kind == "prismatic" { Distance::Millimetre } else { Distance::Degree };
         let limit = passive.limits.as_ref().map(|limits| {
             let [low, high] =
                 [&limits.low, &limits.high].map(|limit| number(self.values.of(limit)));
-            let effort = shortest(self.values.of(&limits.stiffness) * unit);
+            let effort = distance.effort(self.values.of(&limits.stiffness));
             format!("lower=\"{low}\" upper=\"{high}\" effort=\"{}\"", number(effort))
         });
         match limit {

@@ -23,6 +23,7 @@ mod robot;
 mod scope;
 mod shapes;
 mod spelling;
+mod stiffness;
 mod text;
 mod urdf_words;
 mod visual;
@@ -33,9 +34,10 @@ use bodies::Tree;
 pub use error::{ImportError, Place, Result};
 pub(crate) use frame::angles_of;
 pub(crate) use names::Names;
-pub(crate) use numbers::{number, shortest};
+pub(crate) use numbers::number;
 use robot::{Kind, Mimic, Robot};
 use scope::Source;
+pub(crate) use stiffness::Distance;
 use text::Heading;
 
 /// The tolerance of whole degrees in rad.
@@ -141,8 +143,8 @@ fn warnings(robot: &Robot, tree: &Tree, strict: bool) -> Result<Vec<String>> {
 fn chain_name(robot: &Robot, options: &Options) -> Result<String> {
     let Some(name) = &options.name else {
         // In camel case twice: the name of the chain is the robot's name when it is exported.
-        let name = names::camel(&names::camel(&robot.name));
-        return Ok(names::Names::default().unique(&name, "Robot"));
+        let camel = |name: &str| names::camel(&names::camel(name));
+        return Ok(camel(&names::Names::default().unique(&camel(&robot.name), "Robot")));
     };
     let is_name = syn::parse_str::<proc_macro2::Ident>(name).is_ok() && name != "T" && name != "_";
     match is_name {

@@ -6,6 +6,7 @@ use super::frame::{Angle, Frame};
 use super::numbers::number;
 use super::robot::{Joint, Kind, Robot};
 use super::shapes::shapes;
+use super::stiffness::Distance;
 
 /// Names in the text, for each body; in a part those of the first branch are written.
 #[derive(Clone)]
@@ -257,8 +258,10 @@ impl<'a> Scope<'a> {
             }
         };
         let mut fields = vec![format!("limits = {limits} {unit};")];
-        let efforts =
-            each(joints, |joint| if joint.limit.effort > 0.0 { joint.limit.effort } else { 1.0 });
+        let efforts = each(joints, |joint| match joint.limit.effort {
+            effort if effort > 0.0 => units.limit_distance.written(effort),
+            _ => 1.0,
+        });
         let stiffness = self.number(&efforts, &format!("{name}_effort"));
         fields.push(format!("limit_stiffness = {stiffness} {};", units.limit_stiffness));
         if starts.iter().any(|start| *start != 0.0) {
@@ -281,6 +284,7 @@ struct Units {
     friction_speed: &'static str,
     /// The largest effort that the file allows acts this far beyond a limit.
     limit_stiffness: &'static str,
+    limit_distance: Distance,
 }
 
 const PIN: Units = Units {
@@ -292,6 +296,7 @@ const PIN: Units = Units {
     inertia: "kg*m^2",
     friction_speed: "0.1 rad/s",
     limit_stiffness: "N*m/deg",
+    limit_distance: Distance::Degree,
 };
 
 const SLIDER: Units = Units {
@@ -303,6 +308,7 @@ const SLIDER: Units = Units {
     inertia: "kg",
     friction_speed: "0.01 m/s",
     limit_stiffness: "N/mm",
+    limit_distance: Distance::Millimetre,
 };
 
 /// Returns angles in degrees if all are whole degrees, otherwise in rad, with the unit.
