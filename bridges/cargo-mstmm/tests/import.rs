@@ -7,6 +7,7 @@ use cargo_mstmm::source::Source;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// Returns all files, in the order of their names.
 fn files() -> Vec<PathBuf> {
@@ -70,7 +71,6 @@ fn files_become_the_stored_texts() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// Imported texts give no warnings: no unused parameters, no starts beyond limits.
 #[test]
 fn standard_input_is_a_file() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf");
@@ -82,6 +82,7 @@ fn standard_input_is_a_file() {
     assert!(code == 1 && messages.starts_with("error: standard input:"), "{messages}");
 }
 
+/// Imported texts give no warnings: no unused parameters, no starts beyond limits.
 #[test]
 fn imported_texts_give_no_warnings() {
     let mut count = 0;
@@ -93,6 +94,28 @@ fn imported_texts_give_no_warnings() {
         count += 1;
     }
     assert!(count > 10, "{count}");
+}
+
+/// Many links that are fixed in a row take 2 s without optimization, and a search that is quadratic took 40 s.
+#[test]
+fn long_files_are_read_quickly() {
+    let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+    let mut urdf = "<robot name=\"long\"><link name=\"l0\"/>\n".to_owned();
+    for index in 1..6000 {
+        let kind = if index == 1 { "continuous" } else { "fixed" };
+        let parent = index - 1;
+        writeln!(
+            urdf,
+            "<link name=\"l{index}\">{inertial}</link><joint name=\"j{index}\" type=\"{kind}\">\
+             <origin xyz=\"0.1 0 0\"/><parent link=\"l{parent}\"/><child link=\"l{index}\"/></joint>"
+        )
+        .unwrap();
+    }
+    let start = Instant::now();
+    let text = import(&(urdf + "</robot>"), &Options::default()).expect("a chain").text;
+    assert!(text.contains("mass = 5999 kg;"), "{text}");
+    let time = start.elapsed();
+    assert!(time < Duration::from_secs(20), "{time:?}");
 }
 
 /// Files with errors are refused on one line or become a text, and never panic.

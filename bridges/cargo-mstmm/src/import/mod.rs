@@ -19,6 +19,7 @@ mod names;
 mod naming;
 mod numbers;
 mod parts;
+mod places;
 mod robot;
 mod scope;
 mod shapes;

@@ -1,7 +1,8 @@
 //! Names of the file as names of the language.
 
 use mstmm_codegen::model::RESERVED_NAMES;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
 
 /// Names that hinges, bodies, points and parts must not have, in addition to those that the compiler reserves: keywords of
 /// Rust, with those of newer editions, keywords of the language, and points of all bodies.
@@ -24,6 +25,8 @@ const RESERVED_TYPES: &str = "
 #[derive(Clone, Default)]
 pub struct Names {
     used: HashSet<String>,
+    /// The numbers of names that may be free; all lower ones are used. The keys are a prefix and a name.
+    numbers: HashMap<(String, String), usize>,
 }
 
 impl Names {
@@ -34,26 +37,43 @@ impl Names {
 
     /// Returns a name that is unique after a prefix, which is that of a part.
     pub fn unique_with(&mut self, name: &str, suffix: &str, prefix: &str) -> String {
-        let is_free = |candidate: &str| {
-            let joined = format!("{prefix}{candidate}");
-            let is_method =
-                joined.strip_suffix("_mut").is_some_and(|name| self.used.contains(name));
-            let made = format!("{joined}_mut");
-            let is_reserved = [candidate, &joined].iter().any(|name| is_reserved(name));
-            !is_reserved && !is_method && !self.used.contains(&joined) && !self.used.contains(&made)
-        };
         let plain = format!("{name}{suffix}");
-        let numbered = (2..).map(|number| format!("{plain}{number}"));
-        let mut candidates = [name.to_owned(), plain.clone()].into_iter().chain(numbered);
-        let found = candidates.find(|candidate| is_free(candidate)).unwrap_or(plain);
+        let free = [name, &plain].into_iter().find(|name| self.is_free(name, prefix));
+        let free = free.map(str::to_owned);
+        let found = free.unwrap_or_else(|| self.numbered(plain, prefix));
         self.used.insert(format!("{prefix}{found}"));
         found
+    }
+
+    /// Returns a name with the lowest number that makes it free. Used names stay used, so a search goes on where the last
+    /// one ended.
+    fn numbered(&mut self, plain: String, prefix: &str) -> String {
+        let key = (prefix.to_owned(), plain);
+        let plain = &key.1;
+        let mut number = self.numbers.get(&key).copied().unwrap_or(2);
+        while !self.is_free(&format!("{plain}{number}"), prefix) {
+            number += 1;
+        }
+        let found = format!("{plain}{number}");
+        self.numbers.insert(key, number);
+        found
+    }
+
+    fn is_free(&self, candidate: &str, prefix: &str) -> bool {
+        let joined = format!("{prefix}{candidate}");
+        let is_method = joined.strip_suffix("_mut").is_some_and(|name| self.used.contains(name));
+        let made = format!("{joined}_mut");
+        let is_reserved = [candidate, &joined].iter().any(|name| is_reserved(name));
+        !is_reserved && !is_method && !self.used.contains(&joined) && !self.used.contains(&made)
     }
 }
 
 fn is_reserved(name: &str) -> bool {
-    let own = RESERVED.split_whitespace().chain(RESERVED_TYPES.split_whitespace());
-    own.chain(RESERVED_NAMES.iter().copied()).any(|word| word == name)
+    static ALL: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+        let own = RESERVED.split_whitespace().chain(RESERVED_TYPES.split_whitespace());
+        own.chain(RESERVED_NAMES.iter().copied()).collect()
+    });
+    ALL.contains(name)
 }
 
 /// Returns a name in snake case.
@@ -153,6 +173,9 @@ mod tests {
         assert_eq!(names.unique("gripper_mut", "_link"), "gripper_mut_link");
         assert_eq!(names.unique("rates", "_joint"), "rates_joint");
         assert_eq!(names.unique("q", "_joint"), "q_joint");
+        assert_eq!(names.unique("gripper_joint3", ""), "gripper_joint3");
+        assert_eq!(names.unique("gripper", "_joint"), "gripper_joint4");
+        assert_eq!(names.unique_with("gripper", "_joint", "left_"), "gripper");
     }
 
     #[test]

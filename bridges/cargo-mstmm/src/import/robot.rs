@@ -8,6 +8,7 @@ use super::error::{ImportError, Place, Result, on_one_line};
 use super::frame::{Angle, Frame};
 use super::mass::Mass;
 use super::mjcf;
+use super::places::Places;
 use super::spelling;
 use super::urdf_words;
 use super::visual::{Visual, visuals};
@@ -111,10 +112,11 @@ impl Robot {
     pub fn parse(text: &str, snap: f64) -> Result<Robot> {
         // Other XML readers accept a document type, so files have one.
         let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+        let places = Places::of(text);
         let document = Document::parse_with_options(text, options).map_err(|error| {
             let position = match error {
                 // This error has no place.
-                roxmltree::Error::UnexpectedEndOfStream => end(text),
+                roxmltree::Error::UnexpectedEndOfStream => places.end(),
                 _ => Place { line: error.pos().row, column: error.pos().col },
             };
             match error {
@@ -124,7 +126,7 @@ impl Robot {
                 error => ImportError::at(position, format!("XML: {error}")),
             }
         })?;
-        let root = Element::new(document.root_element());
+        let root = Element::new(document.root_element(), &places);
         xacro::refuse(root)?;
         match root.tag() {
             "mujoco" => return mjcf::read(root, snap),
@@ -160,13 +162,6 @@ impl Robot {
         let gravity = Vector3::new(0.0, 0.0, -9.81);
         Ok(Robot { name, links, joints, gravity, notes })
     }
-}
-
-/// Returns the place after the last character.
-fn end(text: &str) -> Place {
-    let count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX).saturating_add(1);
-    let last = text.rsplit('\n').next().unwrap_or_default();
-    Place { line: count(text.matches('\n').count()), column: count(last.chars().count()) }
 }
 
 fn link(element: Element, snap: f64) -> Result<Link> {

@@ -4,17 +4,24 @@ use nalgebra::Vector3;
 use roxmltree::Node;
 
 use super::error::{ImportError, Place, Result};
+use super::places::Places;
 use super::robot::Note;
 
 /// An element of the file.
 #[derive(Clone, Copy)]
 pub struct Element<'a> {
     node: Node<'a, 'a>,
+    places: &'a Places<'a>,
 }
 
 impl<'a> Element<'a> {
-    pub fn new(node: Node<'a, 'a>) -> Self {
-        Element { node }
+    pub fn new(node: Node<'a, 'a>, places: &'a Places<'a>) -> Self {
+        Element { node, places }
+    }
+
+    /// Returns another element of the same file.
+    fn with(self, node: Node<'a, 'a>) -> Self {
+        Element { node, ..self }
     }
 
     pub fn tag(self) -> &'a str {
@@ -38,8 +45,7 @@ impl<'a> Element<'a> {
     }
 
     pub fn place(self) -> Place {
-        let position = self.node.document().text_pos_at(self.node.range().start);
-        Place { line: position.row, column: position.col }
+        self.places.at(self.node.range().start)
     }
 
     /// Makes an error that names the link, the joint or the body of the element.
@@ -55,7 +61,7 @@ impl<'a> Element<'a> {
     /// Returns a message after the innermost name of a link, a joint or a body.
     fn named(self, message: impl std::fmt::Display) -> String {
         let is_owner = |tag: &str| matches!(tag, "link" | "joint" | "body");
-        let owners = self.node.ancestors().map(Element::new);
+        let owners = self.node.ancestors().map(|node| self.with(node));
         let mut owners = owners.filter(|owner| is_owner(owner.tag()));
         let owner = owners.find_map(|owner| Some((owner.tag(), owner.name()?)));
         let owner = owner.map_or_else(String::new, |(tag, name)| format!("{tag} `{name}`: "));
@@ -64,17 +70,17 @@ impl<'a> Element<'a> {
 
     /// Returns the child elements with a tag, in the order of the file.
     pub fn children(self, tag: &str) -> impl Iterator<Item = Element<'a>> {
-        self.node.children().filter(move |child| child.tag_name().name() == tag).map(Element::new)
+        self.any_children().filter(move |child| child.tag() == tag)
     }
 
     /// Returns all child elements, in the order of the file.
     pub fn any_children(self) -> impl Iterator<Item = Element<'a>> {
-        self.node.children().filter(Node::is_element).map(Element::new)
+        self.node.children().filter(Node::is_element).map(move |node| self.with(node))
     }
 
     /// Returns the element and all elements in it, in the order of the file.
     pub fn descendants(self) -> impl Iterator<Item = Element<'a>> {
-        self.node.descendants().filter(Node::is_element).map(Element::new)
+        self.node.descendants().filter(Node::is_element).map(move |node| self.with(node))
     }
 
     pub fn child(self, tag: &str) -> Option<Element<'a>> {
