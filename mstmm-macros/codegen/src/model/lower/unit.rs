@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use super::dimension::{ACCELERATION, PhysicalDimension, Quantity, RATE};
-use crate::diag::nearest;
 use crate::model::Value;
 use crate::syntax::{ExprKind, ExprSyntax, FactorSyntax, UnitFactorSyntax, UnitSyntax};
 
@@ -149,13 +148,15 @@ const NAMES: &[(&str, &str)] = &[
     ("kilogram", "kg"),
     ("kilo", "kg"),
     ("kgs", "kg"),
-    ("ton", "t"),
     ("tonne", "t"),
     ("sec", "s"),
     ("second", "s"),
     ("minute", "min"),
     ("hour", "h"),
+    ("hr", "h"),
     ("newton", "N"),
+    ("nm", "N*m"),
+    ("ns", "N*s"),
     ("newtonmeter", "N*m"),
     ("newtonmetre", "N*m"),
     ("joule", "J"),
@@ -163,7 +164,6 @@ const NAMES: &[(&str, &str)] = &[
     ("pascal", "Pa"),
     ("hertz", "Hz"),
     ("degree", "deg"),
-    ("grad", "deg"),
     ("radian", "rad"),
     ("turn", "rev"),
     ("revolution", "rev"),
@@ -197,7 +197,7 @@ pub(super) fn hint(symbol: &str) -> String {
     if let Some(product) = separated(symbol).or_else(|| product(symbol)) {
         return format!("; units multiply with `*`: `{product}`");
     }
-    meant(symbol).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+    meant(symbol)
 }
 
 /// Returns a product with `*` for a product with the dot of typeset text, which Rust reads as a
@@ -219,26 +219,55 @@ fn product(symbol: &str) -> Option<String> {
         let is_usual = RUN_TOGETHER.contains(&first) || (first, plain) == ("kg", "m");
         find(plain).filter(|_| is_usual)?;
         // A torque times seconds is more usual than a force times milliseconds.
-        let rest = if plain == "ms" { "m*s" } else { plain };
+        let rest = if plain == "ms" && first.ends_with('N') { "m*s" } else { plain };
         Some(format!("{first}*{rest}{power}"))
     })
 }
 
-/// Returns the symbol that was probably meant. Short symbols are all similar, so they are suggested
-/// only if just the case differs.
-fn meant(symbol: &str) -> Option<String> {
+/// Returns the end of a message: the symbols that a word may be a misspelling of. A word that differs from two
+/// symbols by the case of its letters, such as `MM`, may be of either size.
+fn meant(symbol: &str) -> String {
     let word = symbol.to_lowercase();
     let singular = word.strip_suffix('s').unwrap_or(&word);
     if let Some(symbol) = named(&word).or_else(|| named(singular)) {
-        return Some(symbol);
+        return format!("; did you mean `{symbol}`?");
     }
-    let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
-        SYMBOLS.iter().filter(|unit| unit.takes_prefix).map(move |unit| [*prefix, unit.symbol])
-    });
-    let plain = SYMBOLS.iter().map(|unit| unit.symbol.to_owned());
-    let symbols: Vec<String> = plain.chain(prefixed.map(|parts| parts.concat())).collect();
-    let near = nearest(symbol, symbols.iter().map(String::as_str))?;
-    (symbol.len() > 2 || near.to_lowercase() == word).then(|| near.to_owned())
+    let symbols = symbols();
+    let meant: Vec<&str> =
+        symbols.iter().map(String::as_str).filter(|known| is_misspelling(symbol, known)).collect();
+    match &meant[..] {
+        [] => String::new(),
+        [only] => format!("; did you mean `{only}`?"),
+        several => format!("; units are case-sensitive: `{}`", several.join("`, `")),
+    }
+}
+
+/// Returns whether a word is a symbol with the other case, with neighbouring letters exchanged, with a letter
+/// twice, or in the plural. Another or a missing letter may be another unit: `dam` is no `dm`.
+fn is_misspelling(word: &str, symbol: &str) -> bool {
+    if word.to_lowercase() == symbol.to_lowercase() {
+        return true;
+    }
+    // Short symbols are all similar. A prefix before a unit that takes none is no letter twice: `ddeg`.
+    if word.chars().count() <= 2 || is_prefixed(word) {
+        return false;
+    }
+    let letters: Vec<char> = word.chars().collect();
+    let meant: Vec<char> = symbol.chars().collect();
+    (1..letters.len()).any(|at| {
+        let (mut exchanged, mut once) = (letters.clone(), letters.clone());
+        exchanged.swap(at - 1, at);
+        once.remove(at);
+        exchanged == meant || (letters[at - 1] == letters[at] && once == meant)
+    }) || (meant.len() > 2 && letters.strip_suffix(&['s']) == Some(&meant[..]))
+}
+
+/// Returns whether a word is a unit behind a prefix.
+fn is_prefixed(word: &str) -> bool {
+    PREFIXES
+        .iter()
+        .filter_map(|(prefix, _)| word.strip_prefix(prefix))
+        .any(|unit| SYMBOLS.iter().any(|known| known.symbol == unit && !known.takes_prefix))
 }
 
 /// Returns the symbol of a unit that is written out: `mm` for `millimeter`.
@@ -294,11 +323,16 @@ mod tests {
         for unknown in ["x", "in", "ft", "hg", "lb", "kq"] {
             assert_eq!(hint(unknown), "");
         }
+        // Units of another size.
+        for other in [
+            "mdeg", "ddeg", "krpm", "mmin", "dam", "hPa", "grad", "gon", "mkg", "kph", "mph", "ton",
+        ] {
+            assert_eq!(hint(other), "");
+        }
         for (symbol, meant) in [
             ("kgs", "kg"),
             ("mmm", "mm"),
             ("kgg", "kg"),
-            ("grad", "deg"),
             ("degrees", "deg"),
             ("tonne", "t"),
             ("meters", "m"),
@@ -313,6 +347,7 @@ mod tests {
         ] {
             assert_eq!(hint(symbol), format!("; did you mean `{meant}`?"));
         }
+        assert_eq!(hint("MM"), "; units are case-sensitive: `mm`, `Mm`");
         assert_eq!(hint("kgm"), "; units multiply with `*`: `kg*m`");
         assert_eq!(hint("kgm2"), "; units multiply with `*`: `kg*m^2`");
         assert_eq!(hint("Nms"), "; units multiply with `*`: `N*m*s`");

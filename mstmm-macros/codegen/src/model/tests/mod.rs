@@ -6,6 +6,7 @@
 mod answer_pages;
 mod any_tokens;
 mod branches_and_loops;
+mod causes;
 mod each_error_once;
 mod errors_in_chains;
 mod errors_in_hinges;
