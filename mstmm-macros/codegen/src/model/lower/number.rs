@@ -71,12 +71,14 @@ impl Context<'_> {
         if let Some(message) = found.unit.and_then(|unit| misread_symbol(unit, expected)) {
             return self.refuse(found.at, message);
         }
-        if expected.dimension == PITCH.dimension && dimension == LENGTH.dimension {
+        let is_pitch = expected.dimension == PITCH.dimension;
+        if is_pitch && dimension == LENGTH.dimension {
             let message = "a pitch is a length per turn: write `5 mm/rev` or `5 mm/rad`";
             return self.refuse(found.at, message);
         }
-        let is_number = expected.dimension == PhysicalDimension::default();
-        if dimension == expected.dimension || (!is_number && dimension.fits(expected.dimension)) {
+        // The angle of a plain number and that of a pitch are part of what they are.
+        let is_strict = is_pitch || expected.dimension == PhysicalDimension::default();
+        if dimension == expected.dimension || (!is_strict && dimension.fits(expected.dimension)) {
             return Some(());
         }
         if expected.name == COMPONENT.name {

@@ -12,3 +12,14 @@ fn a_suggested_unit_has_the_same_size() {
     start("degs", "unknown unit `degs`; did you mean `deg`?");
     start("MM", "unknown unit `MM`; units are case-sensitive: `mm`, `Mm`");
 }
+
+#[test]
+fn a_pitch_is_a_length_per_angle() {
+    let other = |pitch: &str, found: &str, unit: &str| {
+        let message = format!("expected a pitch, found {found}");
+        expect_hinge(&format!("screw(z, {pitch})"), "", &[(unit, &message)]);
+    };
+    other("5 mm*rev", "a quantity in m*rad", "mm*rev");
+    other("5 mm/rev^2", "a quantity in m/rad^2", "mm/rev^2");
+    expect_hinge("screw(z, 5 mm/deg)", "stiffness = 1 N*m; damping = 1 N*m*s/rad;", &[]);
+}
