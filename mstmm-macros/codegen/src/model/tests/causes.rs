@@ -1,6 +1,6 @@
 //! Messages name the cause of a mistake, once, and their advice can be followed.
 
-use super::each_error_once::expect_hinge;
+use super::each_error_once::{expect_hinge, expect_rods};
 
 #[test]
 fn a_suggested_unit_has_the_same_size() {
@@ -22,4 +22,13 @@ fn a_pitch_is_a_length_per_angle() {
     other("5 mm*rev", "a quantity in m*rad", "mm*rev");
     other("5 mm/rev^2", "a quantity in m/rad^2", "mm/rev^2");
     expect_hinge("screw(z, 5 mm/deg)", "stiffness = 1 N*m; damping = 1 N*m*s/rad;", &[]);
+}
+
+#[test]
+fn axis_letters_mean_axes() {
+    let part = "part P(x, y, z) { pin(x) a -> Rod r -> screw(-z, z) b -> Rod s -> planar(y) c -> Rod t; \
+                hinge a { damping = x; stiffness = y; } }";
+    expect_rods(&format!("{part} ground -> P(1, 2, 3) p;"), &[]);
+    let chain = "param z = 1; ground -> screw(-z, z) a -> Rod r;";
+    expect_rods(chain, &[]);
 }

@@ -4,7 +4,7 @@ use crate::model::lower::context::Context;
 use crate::model::lower::dimension::NUMBER;
 use crate::model::lower::vector::zeros;
 use crate::model::{Dimension, Value, length};
-use crate::syntax::{ArgumentsSyntax, ExprKind, ExprSyntax, ValueSyntax};
+use crate::syntax::{ArgumentsSyntax, ExprKind, ValueSyntax};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -17,14 +17,14 @@ pub(super) fn unit(index: usize) -> [Value; 3] {
     axis
 }
 
-/// A word for an axis, with its sign.
+/// A word for an axis, with its sign. In a part it means the axis also where a parameter has this name, as in a chain.
 fn word(syntax: &ValueSyntax) -> Option<(f64, usize)> {
     let ValueSyntax::Number(expr) = syntax else { return None };
     let (sign, expr) = match &expr.kind {
         ExprKind::Negated(inner) => (-1.0, &**inner),
         _ => (1.0, expr),
     };
-    let ExprSyntax { kind: ExprKind::Name(word), .. } = expr else { return None };
+    let (ExprKind::Name(word) | ExprKind::Argument(word, _)) = &expr.kind else { return None };
     Some((sign, NAMES.iter().position(|name| word == name)?))
 }
 
