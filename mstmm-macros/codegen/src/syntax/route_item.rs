@@ -29,9 +29,7 @@ pub(super) fn route_item(
     }
     if let Some(at) = input.word("moving") {
         sign_before_name(input, diagnostics);
-        let place = |word: &Ident| word == "at" || word == "turned";
-        let name =
-            if input.peek_ident().is_some_and(|word| place(&word)) { None } else { name(input) };
+        let name = if begins_place(input) { None } else { name(input) };
         no_place(input, diagnostics)?;
         return Ok(RouteItemSyntax::Moving { at, name });
     }
@@ -116,6 +114,14 @@ fn lacks_at(input: &Cursor, diagnostics: &mut Diagnostics) -> bool {
         diagnostics.error(input.next_span(), message);
     }
     is_position
+}
+
+/// Returns whether `at` or `turned` begins a position or an orientation: alone it is a name.
+fn begins_place(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let is_word = ahead.ident().is_some_and(|word| word == "at" || word == "turned");
+    let is_alone = ahead.is_empty() || ahead.peek_punct(';') || ahead.peek_pair('-', '>');
+    is_word && !is_alone
 }
 
 /// Reports a position after a moving end.

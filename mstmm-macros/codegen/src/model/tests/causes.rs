@@ -32,3 +32,16 @@ fn axis_letters_mean_axes() {
     let chain = "param z = 1; ground -> screw(-z, z) a -> Rod r;";
     expect_rods(chain, &[]);
 }
+
+#[test]
+fn a_moving_end_may_have_the_name_of_a_place() {
+    for name in ["at", "turned"] {
+        expect_rods(&format!("moving {name} -> pin a -> Rod r;"), &[]);
+        expect_rods(&format!("moving z -> pin {name} -> Rod r -> pin a -> moving hand;"), &[]);
+        expect_rods(&format!("ground -> pin a -> Rod r -> pin b -> moving {name};"), &[]);
+    }
+    let place = "a moving end has no position: …";
+    let name = ("moving", "a moving end needs a name: …");
+    expect_rods("moving at [1, 0, 0] m -> pin a -> Rod r;", &[name, ("at", place)]);
+    expect_rods("moving turned 30 deg -> pin a -> Rod r;", &[name, ("turned", place)]);
+}
