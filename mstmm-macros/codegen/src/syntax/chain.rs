@@ -123,7 +123,12 @@ fn no_chain(input: &Cursor) -> Error {
     if ahead.word("chain").is_none() {
         return input.unexpected("`chain`");
     }
-    let hint = did_you_mean(&word, DIMENSIONS.iter().map(|(known, _)| *known));
+    let words = || DIMENSIONS.iter().map(|(known, _)| *known);
+    if words().any(|known| known == word) {
+        let message = "a chain has one word for its dimension: remove this one";
+        return Error::new(input.next_span(), message);
+    }
+    let hint = did_you_mean(&word, words());
     let message = format!("expected `space`, `plane`, `line` or nothing before `chain`{hint}");
     Error::new(input.next_span(), message)
 }

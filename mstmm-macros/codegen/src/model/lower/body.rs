@@ -142,7 +142,7 @@ fn body_type<'a>(
     let owner = format!("body `{name}`{}", context.of_chain());
     let listed = [field_names(context.space), &[fields::POINT]].concat();
     for field in &block.fields {
-        fields.add(field, &listed, &FieldOwner::of_block(&owner), context);
+        fields.add(field, &listed, &FieldOwner::of_block(&owner, &block.fields), context);
     }
     let [mass, com, inertia, output, shape] =
         ["mass", "com", "inertia", "output", "shape"].map(|f| fields.get(f));

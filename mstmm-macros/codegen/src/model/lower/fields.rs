@@ -25,12 +25,16 @@ pub(super) struct FieldOwner<'o, 'a> {
     pub path: Option<&'o PathSyntax>,
     /// The part in which the fields are written.
     pub part: Option<&'a Ident>,
+    /// All fields of the block: an unknown one is not meant to be another one of them.
+    pub given: &'o [FieldSyntax],
+    /// The kinds of the other hinges in a block for several, each with its fields.
+    pub others: &'o [(&'static str, Vec<&'static str>)],
 }
 
 impl<'o> FieldOwner<'o, '_> {
-    /// Returns an owner whose block names no other item.
-    pub fn of_block(name: &'o str) -> Self {
-        FieldOwner { name, path: None, part: None }
+    /// Returns an owner whose block has these fields and names no other item.
+    pub fn of_block(name: &'o str, given: &'o [FieldSyntax]) -> Self {
+        FieldOwner { name, path: None, part: None, given, others: &[] }
     }
 }
 
@@ -56,21 +60,18 @@ impl<'a> Fields<'a> {
 
     /// Returns the error in a field, if there is one.
     fn fault(&self, field: &FieldSyntax, allowed: &[&str], owner: &FieldOwner) -> Option<String> {
-        let FieldOwner { name: owner, path, part } = owner;
+        let FieldOwner { name: owner, path, part, given, others } = owner;
         let name = field.name.to_string();
         if !allowed.contains(&name.as_str()) {
             if let (Some(message), true) = (missing_field(&name), allowed.contains(&"armature")) {
                 return Some(message.to_owned());
             }
-            let hint = match meant(&name, allowed) {
-                Some(meant) => format!("; did you mean `{meant}`?"),
-                None if allowed.is_empty() => String::new(),
-                None => {
-                    let allowed: Vec<_> =
-                        allowed.iter().map(|known| listed_as(known, field)).collect();
-                    format!("; it has {}", listed(&allowed))
-                }
-            };
+            if let Some((other, _)) = others.iter().find(|(_, known)| known.contains(&&*name)) {
+                return Some(format!(
+                    "{owner} has no field `{name}`, unlike {other}: write a block for each kind of hinge"
+                ));
+            }
+            let hint = hint(field, allowed, given);
             return Some(format!("{owner} has no field `{name}`{hint}"));
         }
         let (_, earlier) = self.fields.iter().find(|(field, _)| field.name == name)?;
@@ -144,6 +145,8 @@ const COUNTERPARTS: &[(&str, &str)] = &[
     ("bodies", "on"),
     ("between", "on"),
     ("from", "on"),
+    ("from", "to"),
+    ("from", "at"),
     ("point", "at"),
     ("range", "limits"),
     ("lower", "limits"),
@@ -163,6 +166,33 @@ pub(crate) fn meant<'k>(name: &str, allowed: &[&'k str]) -> Option<&'k str> {
     counterpart
         .or_else(|| find(name.strip_prefix("turning_")?))
         .or_else(|| nearest(name, allowed.iter().copied()))
+}
+
+/// Returns the end of the message for an unknown field: the one that it means, or all known ones.
+fn hint(field: &FieldSyntax, allowed: &[&str], given: &[FieldSyntax]) -> String {
+    match intended(&field.name.to_string(), allowed, given) {
+        Some(meant) if is_given(meant, given) => return format!("; `{meant}` is given already"),
+        Some(meant) => return format!("; did you mean `{meant}`?"),
+        None => {}
+    }
+    if allowed.is_empty() {
+        return String::new();
+    }
+    let allowed: Vec<_> = allowed.iter().map(|known| listed_as(known, field)).collect();
+    format!("; it has {}", listed(&allowed))
+}
+
+/// Returns the known field that an unknown one means: rather one that the block does not have.
+fn intended<'k>(name: &str, allowed: &[&'k str], given: &[FieldSyntax]) -> Option<&'k str> {
+    let first = meant(name, allowed)?;
+    let lacks = |meant: &&str| allowed.contains(meant) && !is_given(meant, given);
+    let counterparts = COUNTERPARTS.iter().filter(|(other, _)| *other == name);
+    let lacking = counterparts.map(|&(_, meant)| meant).find(lacks);
+    Some(if is_given(first, given) { lacking.unwrap_or(first) } else { first })
+}
+
+fn is_given(name: &str, given: &[FieldSyntax]) -> bool {
+    given.iter().any(|field| field.name == name)
 }
 
 /// What messages list after the fields of a body type, which has any number of points.
@@ -193,7 +223,7 @@ pub(super) fn missing<'r>(
     let unknown: Vec<(&FieldSyntax, Option<&str>)> = fields
         .iter()
         .filter(|field| !is_known(field))
-        .map(|field| (field, meant(&field.name.to_string(), allowed)))
+        .map(|field| (field, intended(&field.name.to_string(), allowed, fields)))
         .collect();
     let is_meant = |name: &str| {
         fields.iter().any(|field| field.name == name)

@@ -90,7 +90,7 @@ pub(super) fn loads<'a>(
         let owner = format!("{word} `{name}`{}", context.of_chain());
         for field in &block.fields {
             let known = known_fields(block.word, context.space);
-            fields.add(field, known, &FieldOwner::of_block(&owner), context);
+            fields.add(field, known, &FieldOwner::of_block(&owner, &block.fields), context);
         }
         let target = target(written, &fields, resolved, context);
         match block.word {

@@ -97,6 +97,7 @@ fn assign<'a>(
     let block = &*written_block.syntax;
     let mut names_items = true;
     let part = resolved.written.scopes[written_block.scope].part.map(|part| &part.name);
+    let kinds = kinds(written_block, resolved);
     // A field that is wrong for one hinge is not reported again for the next one.
     let mut refused = Vec::new();
     for (position, path) in block.names.iter().enumerate() {
@@ -125,7 +126,8 @@ fn assign<'a>(
             fields.refuse();
         }
         for (at, field) in block.fields.iter().enumerate() {
-            let owner = FieldOwner { name: &owner, path: Some(path), part };
+            let given = &block.fields;
+            let owner = FieldOwner { name: &owner, path: Some(path), part, given, others: &kinds };
             if refused.contains(&at) {
                 fields.refuse();
             } else if fields.add(field, &known, &owner, context).is_none() {
@@ -134,6 +136,21 @@ fn assign<'a>(
         }
     }
     names_items
+}
+
+/// Returns the kinds of the hinges that a block names, each with its fields.
+fn kinds(
+    written_block: &WrittenBlock,
+    resolved: Resolved,
+) -> Vec<(&'static str, Vec<&'static str>)> {
+    let Resolved { written, items, names, .. } = resolved;
+    let paths = written_block.syntax.names.iter();
+    let named = paths.filter_map(|path| names.item(written, written_block.scope, &path.names));
+    let kind = |item: usize| match &items[item] {
+        RouteItem::Hinge { kind, spec, .. } => Some((kind.name, hinge::fields(spec))),
+        _ => None,
+    };
+    named.filter_map(kind).collect()
 }
 
 /// Returns the item of a path in a block; `None` if no item of this path can have a block.

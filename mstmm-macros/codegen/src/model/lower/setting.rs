@@ -50,7 +50,7 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
             context.complete = false;
             continue;
         }
-        fields.add(field, SETTINGS, &FieldOwner::of_block(&owner), context);
+        fields.add(field, SETTINGS, &FieldOwner::of_block(&owner, &def.settings), context);
     }
     let gravity = context
         .source(fields.get("gravity"), |context, syntax| context.read_vector(syntax, ACCELERATION));

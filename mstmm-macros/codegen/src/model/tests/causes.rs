@@ -1,6 +1,7 @@
 //! Messages name the cause of a mistake, once, and their advice can be followed.
 
 use super::each_error_once::{expect_hinge, expect_rods};
+use super::expect_all;
 
 #[test]
 fn a_suggested_unit_has_the_same_size() {
@@ -44,4 +45,36 @@ fn a_moving_end_may_have_the_name_of_a_place() {
     let name = ("moving", "a moving end needs a name: …");
     expect_rods("moving at [1, 0, 0] m -> pin a -> Rod r;", &[name, ("at", place)]);
     expect_rods("moving turned 30 deg -> pin a -> Rod r;", &[name, ("turned", place)]);
+}
+
+#[test]
+fn a_chain_has_one_dimension() {
+    let chain = "chain A { body Rod { mass = 1; com = [0, 0]; inertia = 1 about com; } ground -> pin j -> Rod rod; }";
+    let one = "a chain has one word for its dimension: remove this one";
+    expect_all(&format!("plane plane {chain}"), &[("plane", one)]);
+    expect_all(&format!("line plane {chain}"), &[("plane", one)]);
+}
+
+#[test]
+fn hinges_of_several_kinds_have_several_blocks() {
+    let route = "ground -> pin a -> Rod rod -> slider b -> Rod r2;";
+    let message =
+        "a slider has no field `torque`, unlike a pin: write a block for each kind of hinge";
+    let error = [("torque", message)];
+    expect_rods(&format!("{route} hinge a, b {{ torque = input; }}"), &error);
+    expect_rods(&format!("{route} hinge b, a {{ torque = input; }}"), &error);
+    let near = "a pin has no field `force`; did you mean `torque`?";
+    expect_rods(&format!("{route} hinge a {{ force = input; }}"), &[("force", near)]);
+}
+
+#[test]
+fn a_given_field_is_not_suggested() {
+    let spring = |fields: &str, error: (&str, &str)| {
+        expect_rods(&format!("ground -> pin j -> Rod rod; spring s {{ {fields} }}"), &[error]);
+    };
+    let meant = |field: &str| format!("spring `s` has no field `from`; did you mean `{field}`?");
+    let (to, at) = (meant("to"), meant("at"));
+    spring("from = rod.output; to = [0, 0, 0]; stiffness = 1;", ("from", &meant("on")));
+    spring("on = rod; from = [0, 0, 0]; to = [0, 0, 1]; stiffness = 1;", ("from", &at));
+    spring("on = rod; from = [0, 0, 0]; stiffness = 1;", ("from", &to));
 }

@@ -224,7 +224,6 @@ fn fields_are_known_by_other_names() {
     let hint =
         |name: &str, meant: &str| format!("a pin has no field `{name}`; did you mean `{meant}`?");
     for (name, meant) in [
-        ("force", "torque"),
         ("start_velocity", "start_rate"),
         ("turning_stiffness", "stiffness"),
         ("angle", "start"),
@@ -233,6 +232,9 @@ fn fields_are_known_by_other_names() {
         let field = format!("{name} = 30 deg;");
         expect("start = 30 deg;", &field, &[(name, &hint(name, meant))]);
     }
+    expect("torque = input", "force = input", &[("force", &hint("force", "torque"))]);
+    let given = "a pin has no field `force`; `torque` is given already";
+    expect("start = 30 deg;", "force = 1;", &[("force", given)]);
     let gears = "a chain has no gears and mimic joints between two hinges: give both motors whose efforts hold the \
                  ratio; the rotor of a motor behind a gear is the `armature` of its hinge";
     for name in ["mimic", "gear_ratio"] {
