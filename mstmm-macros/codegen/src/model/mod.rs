@@ -28,13 +28,13 @@ mod shape;
 mod tests;
 mod unrolled;
 mod value;
+mod words;
 
 pub use crate::ids::{
     BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, ParameterId, PointId, RepeatId, SpringId,
 };
 pub use answer::Answer;
 pub use body_frames::{BodyFrame, FrameValues};
-pub use check::RESERVED_NAMES;
 pub use condition::{Bound, Condition, Requirement};
 pub use connection_points::{ConnectionPoint, ConnectionPoints, ElementPoints, Transmitted};
 pub use dynamic_parameters::{DynamicParameter, InertialParameter, PassiveElement};
@@ -52,6 +52,7 @@ pub use rotations::{RotationCoordinates, rotation_coordinates};
 pub use rules::Check;
 pub use shape::{Geometry, Shape};
 pub use value::{Symbol, Value};
+pub use words::RESERVED as RESERVED_NAMES;
 
 use crate::diag::Diagnostics;
 use crate::ids::{IdRange, IdVec};

@@ -178,7 +178,7 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
     let Some(name) = input.peek_ident() else { return Err(input.unexpected("a number")) };
     let mut ahead = *input;
     ahead.ident();
-    if is_keyword(&name) && !ahead.peek_pair(':', ':') {
+    if is_keyword(&name) && !ahead.peek_pair(':', ':') && !is_end(&ahead) {
         return Err(input.unexpected("a number"));
     }
     let expr = if ahead.peek_pair(':', ':') {
@@ -256,6 +256,13 @@ fn value(literal: proc_macro2::Literal) -> Result<(ExprSyntax, Suffix)> {
     }
     let expr = ExprSyntax { kind: ExprKind::Number(value), extent: SpanRange::token(at) };
     Ok((expr, (!suffix.is_empty()).then_some((suffix, at))))
+}
+
+/// Returns whether a number can end here: a keyword of Rust before it may be the name of a parameter, which is reported
+/// where it is declared.
+fn is_end(input: &Cursor) -> bool {
+    let ends = input.is_empty() || input.peek_punct(';') || input.peek_punct(',');
+    ends || is_operator_next(input)
 }
 
 /// `Self` has a separate message.

@@ -15,8 +15,6 @@ mod request;
 mod route;
 mod tree;
 
-pub use name::RESERVED as RESERVED_NAMES;
-
 use super::condition::{Requirement, judge};
 use super::lower::Draft;
 use crate::diag::Diagnostics;

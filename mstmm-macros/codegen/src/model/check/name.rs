@@ -7,67 +7,10 @@ use syn::ext::IdentExt;
 use crate::diag::Diagnostics;
 use crate::model::Request;
 use crate::model::lower::{BodyType, Draft, ItemName, KINDS, RouteItem};
+use crate::model::words::{
+    INPUTS, ITEM_WORDS, NUMBER_WORDS, PARAMETERS, RESERVED, ROUTE_WORDS, is_keyword_of_rust,
+};
 use crate::syntax::{BlockSyntax, FUNCTIONS};
-
-/// Methods of the generated types, which are no names for hinges, bodies or parameters.
-pub const RESERVED: &[&str] = &[
-    "q",
-    "q_mut",
-    "v",
-    "v_mut",
-    "t",
-    "time",
-    "set_time",
-    "coordinates",
-    "coordinates_mut",
-    "rates",
-    "rates_mut",
-    "zero_position",
-    "clone",
-    "into",
-    "try_into",
-    "default",
-    "new",
-    "initial_state",
-    "no_inputs",
-    "workspace",
-    "solve_into",
-    "accelerations",
-    "accelerations_into",
-    "kinetic_energy",
-    "potential_energy",
-    "energy",
-    "parameters",
-    "derivative_into",
-    "implicit_derivative_into",
-    "configuration_rate_into",
-    "normalize",
-    "points",
-    "closure",
-    "assemble",
-    "point_",
-    "vector_",
-    "PLACES_",
-    "RUNS_",
-];
-
-/// Names of parameters whose setters would hide other methods: every chain has `set_parameter`.
-const PARAMETERS: &[&str] = &["parameter"];
-
-/// Fields that the inputs of a chain may have.
-const INPUTS: &[&str] = &["gravity"];
-
-/// Keywords that are no names for body types, in addition to the kinds of hinges.
-const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
-
-/// Keywords that are no names for parameters, in addition to the functions.
-const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
-
-/// Keywords of items, which are no names for anything.
-const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
-
-/// Keywords of newer editions of Rust, which the parser accepts as names.
-const LATER_KEYWORDS: &[&str] = &["gen"];
 
 /// A name of a hinge, a body, a moving end, a parameter, a load, a spring or an instance of a part.
 struct UsedName {
@@ -154,16 +97,21 @@ pub(super) fn names_are_identifiers(draft: &Draft, diagnostics: &mut Diagnostics
     names.retain(|name| !name.made || !refused_types.contains(&name.name.joined.to_string()));
     let points = draft.types.all.iter().flat_map(|body| &body.points).map(|point| point.name);
     let names = names.iter().map(|name| (name.name.own(), &name.name.joined));
-    let plain = types().chain(points).chain([&draft.def.name]);
+    let of_parts =
+        draft.def.parts.iter().flat_map(|part| [&part.name].into_iter().chain(&part.parameters));
+    let plain = types().chain(points).chain(of_parts).chain([&draft.def.name]);
     let plain: Vec<(String, &Ident)> = plain.map(|name| (name.to_string(), name)).collect();
     let plain = plain.iter().map(|(text, name)| (&**text, *name));
     for (own, name) in names.chain(plain) {
         let text = name.to_string();
-        let keyword = syn::parse_str::<Ident>(&text).is_err() || LATER_KEYWORDS.contains(&&*text);
-        if own.starts_with("r#") || own == "_" || keyword {
-            let message = format!("`{own}` is a keyword of Rust and cannot be a name");
-            diagnostics.name(name, message);
-        }
+        let message = match own.strip_prefix("r#") {
+            Some(plain) if !is_keyword_of_rust(plain) => {
+                format!("write this name without `r#`: `{plain}`")
+            }
+            None if own != "_" && !is_keyword_of_rust(&text) => continue,
+            _ => format!("`{own}` is a keyword of Rust and cannot be a name"),
+        };
+        diagnostics.name(name, message);
     }
 }
 

@@ -32,6 +32,7 @@ mod setting;
 mod shape;
 mod start;
 mod unit;
+mod unknown_name;
 mod vector;
 
 pub(super) use body::BodyType;

@@ -5,7 +5,6 @@ use proc_macro2::Ident;
 use super::context::{Context, Measure};
 use super::dimension::{ANGLE, COMPONENT, LENGTH, PITCH, PhysicalDimension, Quantity};
 use super::unit::{self, misread_symbol};
-use crate::diag::nearest;
 use crate::model::condition::{Bound, Condition};
 use crate::model::{Symbol, Value};
 use crate::syntax::{
@@ -14,9 +13,6 @@ use crate::syntax::{
 
 /// The maximum size of a formula: powers of powers multiply it.
 const LARGEST_FORMULA: usize = 1000;
-
-/// Functions whose names are close to those of other functions.
-const OTHER_FUNCTIONS: &[&str] = &["asin", "acos", "sinh", "cosh", "cot", "sign"];
 
 const NOT_FINITE: &str = "this is not a finite number";
 
@@ -183,21 +179,7 @@ impl Context<'_> {
         if unit::is_symbol(&text) {
             return self.refuse(name, format!("`{text}` is a unit: write it after a number"));
         }
-        if !self.complete {
-            return None;
-        }
-        let names = self.parameters.iter().map(|other| other.name.to_string());
-        let hint = match self.hint(name, names.chain(["PI".to_owned()])) {
-            none if none.is_empty() => format!(
-                "; for a parameter write `param {text} = …`; a Rust constant begins with a capital \
-                 letter"
-            ),
-            near => near,
-        };
-        let message = format!("unknown name `{text}`{hint}");
-        let parameters = self.parameters.iter().map(|other| other.name);
-        self.diagnostics.unknown(name, message, parameters);
-        None
+        self.unknown_name(name)
     }
 
     fn sum<'e>(
@@ -334,17 +316,6 @@ impl Context<'_> {
         self.expect_no_unit(&number)?;
         let value = scale.apply(number.value);
         Some(Measured { value, measure: Measure::Of(dimension), unit: Some(unit), at: unit.extent })
-    }
-
-    /// Reports a word before parentheses that is no function.
-    pub fn unknown_function<T>(&mut self, function: &Ident) -> Option<T> {
-        let word = function.to_string();
-        let near = nearest(&word, FUNCTIONS.iter().copied());
-        let hint = match near.filter(|_| !OTHER_FUNCTIONS.contains(&&*word)) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "there are `sqrt`, `sin` and `cos`".into(),
-        };
-        self.refuse(function, format!("unknown function `{function}`; {hint}"))
     }
 
     fn call<'e>(

@@ -4,6 +4,7 @@ use super::context::{Context, Spanned};
 use super::dimension::ACCELERATION;
 use super::fields::{FieldOwner, Fields};
 use crate::diag::{did_you_mean, nearest};
+use crate::model::words::can_name_parameter;
 use crate::model::{
     ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request, Results, SolutionMethod, Source,
 };
@@ -41,10 +42,11 @@ pub(super) fn settings(def: &ChainSyntax, context: &mut Context) -> Settings {
     for field in &def.settings {
         let name = field.name.to_string();
         if nearest(&name, SETTINGS.iter().copied()).is_none() {
-            let message = format!(
-                "unknown setting `{name}`; for a parameter write `param {name} \
-                                   = …`"
-            );
+            let hint = match can_name_parameter(&name) {
+                true => format!("; for a parameter write `param {name} = …`"),
+                false => String::new(),
+            };
+            let message = format!("unknown setting `{name}`{hint}");
             context.diagnostics.error(field.name.span(), message);
             // The number may be used later.
             context.complete = false;

@@ -78,3 +78,37 @@ fn a_given_field_is_not_suggested() {
     spring("on = rod; from = [0, 0, 0]; to = [0, 0, 1]; stiffness = 1;", ("from", &at));
     spring("on = rod; from = [0, 0, 0]; stiffness = 1;", ("from", &to));
 }
+
+/// Expects an error in the mass of a body.
+fn expect_mass(items: &str, mass: &str, errors: &[(&str, &str)]) {
+    let body = format!(
+        "body Bar {{ mass = {mass}; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }}"
+    );
+    expect_all(&format!("chain A {{ {items} {body} ground -> pin j -> Bar; }}"), errors);
+}
+
+#[test]
+fn only_possible_parameters_are_suggested() {
+    let function = "unknown name `sin`; write the argument of the function: `sin(…)`";
+    expect_mass("", "sin kg", &[("sin", function)]);
+    for name in ["parameter", "gravity", "new", "hinge", "transfer"] {
+        expect_mass("", name, &[(name, &format!("unknown name `{name}`"))]);
+        expect_mass("", &format!("2 * {name}"), &[(name, &format!("unknown name `{name}`"))]);
+    }
+    expect_mass("new = 1 kg;", "1", &[("new", "unknown setting `new`")]);
+    expect_mass("", "gen", &[("gen", "expected a number, found `gen`")]);
+}
+
+#[test]
+fn keywords_of_rust_are_refused_where_they_are_declared() {
+    for name in ["fn", "self", "async", "_"] {
+        let refused = format!("`{name}` is a keyword of Rust and cannot be a name");
+        expect_mass(&format!("param {name} = 1 kg;"), name, &[(name, &refused)]);
+        expect_mass("", name, &[(name, &format!("expected a number, found `{name}`"))]);
+        let part =
+            format!("part P({name}) {{ pin a -> Rod rod; hinge a {{ damping = 2*{name}; }} }}");
+        expect_rods(&format!("{part} ground -> P(1) p;"), &[(name, &refused)]);
+    }
+    let plain = "write this name without `r#`: `a`";
+    expect_rods("ground -> pin r#a -> Rod rod;", &[("r#a", plain)]);
+}
