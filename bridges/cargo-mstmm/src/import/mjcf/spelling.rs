@@ -7,14 +7,15 @@ use super::super::xml::Element;
 const ORIENTATION: &str = "quat axisangle euler xyaxes zaxis";
 
 /// The elements in a body or in a frame.
-const INNER: &str = "inertial joint freejoint geom site camera light plugin body frame";
+const INNER: &str = "inertial joint freejoint geom site camera light plugin body frame include replicate attach \
+                     composite flexcomp";
 
 const KNOWN: &[Known] = &[
     Known {
         tag: "mujoco",
         attributes: &["model"],
         elements: "compiler option size visual statistic default extension custom asset worldbody deformable contact \
-                   equality tendon actuator sensor keyframe",
+                   equality tendon actuator sensor keyframe include",
     },
     Known {
         tag: "compiler",
