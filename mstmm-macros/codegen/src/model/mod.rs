@@ -28,7 +28,6 @@ mod shape;
 mod tests;
 mod unrolled;
 mod value;
-mod words;
 
 pub use crate::ids::{
     BodyId, ChannelId, HingeId, InputId, LinkId, LoadId, ParameterId, PointId, RepeatId, SpringId,
@@ -45,6 +44,7 @@ pub use hinge::{
 pub use layout::{Input, InputKind, Layout, Link, MergedWeld, MovesWith};
 pub use limbs::{LimbGroup, limb_groups};
 pub use load::{BodyPoint, Load, LoadAxes, Source, Spring, SpringEnd};
+pub use lower::RESERVED_NAMES;
 pub(crate) use lower::listed;
 pub use request::{ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request};
 pub use results::Results;
@@ -52,7 +52,6 @@ pub use rotations::{RotationCoordinates, rotation_coordinates};
 pub use rules::Check;
 pub use shape::{Geometry, Shape};
 pub use value::{Symbol, Value};
-pub use words::RESERVED as RESERVED_NAMES;
 
 use crate::diag::Diagnostics;
 use crate::ids::{IdRange, IdVec};

@@ -73,7 +73,9 @@ fn head<'a>(
             name = input.ident().unwrap_or(name);
             let other = [Delimiter::Brace, Delimiter::Bracket, Delimiter::Parenthesis];
             let group = other.into_iter().find_map(|other| input.group(other));
-            let Some(group) = group else { return Err(error) };
+            let Some(mut group) = group else { return Err(error) };
+            // The first brackets may be those of parameters, which a chain does not have.
+            group = input.group(Delimiter::Brace).unwrap_or(group);
             diagnostics.push(error);
             group
         }
@@ -241,6 +243,10 @@ fn parameter(input: &mut Cursor, diagnostics: &mut Diagnostics) -> Result<Parame
         diagnostics.error(name.span(), message);
         input.punct(';');
         return Ok(ParameterSyntax { field: FieldSyntax { name, value: None }, repetitions: None });
+    }
+    if input.peek_punct(',') {
+        let message = "a `param` is one parameter: write a `param` for each";
+        return Err(Error::new(input.next_span(), message));
     }
     let mut after = *input;
     let repetitions = match input.group(Delimiter::Bracket) {

@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 use syn::Result;
+use syn::ext::IdentExt;
 
 use super::cursor::Cursor;
 use super::lookahead::{begins_field, point};
@@ -104,6 +105,7 @@ impl Ends {
         input: &mut Cursor,
         diagnostics: &mut Diagnostics,
     ) -> FieldSyntax {
+        let name = hyphenated(&name, input, diagnostics).unwrap_or(name);
         let sign = if input.punct('=').is_some() { Ok(()) } else { Err(input.unexpected("`=`")) };
         let colon = sign.is_err() && input.punct(':').is_some();
         let has_sign = sign.is_ok();
@@ -202,6 +204,22 @@ impl Ends {
             }
         }
     }
+}
+
+/// Reads the rest of a name with hyphens before `=` and reports it. Returns the name with underscores.
+fn hyphenated(name: &Ident, input: &mut Cursor, diagnostics: &mut Diagnostics) -> Option<Ident> {
+    let mut ahead = *input;
+    let plain = name.unraw().to_string();
+    let mut text = plain.clone();
+    while ahead.punct('-').is_some() {
+        text += &format!("_{}", ahead.ident()?.unraw());
+    }
+    if text == plain || !ahead.peek_punct('=') {
+        return None;
+    }
+    diagnostics.error(name.span(), format!("a name has no hyphens: write `{text}`"));
+    *input = ahead;
+    Some(Ident::new(&text, name.span()))
 }
 
 /// Returns whether this is a literal, with a minus or without.

@@ -68,7 +68,7 @@ fn joined(
     joined
 }
 
-/// Notes that the next token is wrong: the error may be the last item.
+/// Notes that a token beside the last item is wrong: the error may be this item.
 fn mark_error(route: &mut RouteSyntax) {
     if let Some(StepSyntax::Item(RouteItemSyntax::Element { after_error, .. })) =
         route.steps.last_mut()
@@ -92,6 +92,9 @@ fn step(
     } else {
         let item = route_item(input, diagnostics)?;
         route.steps.push(StepSyntax::Item(item));
+        if separators.is_lost {
+            mark_error(route);
+        }
         Ok(())
     }
 }

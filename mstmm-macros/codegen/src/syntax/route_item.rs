@@ -39,7 +39,8 @@ pub(super) fn route_item(
     }
     let mut arguments = arguments(&word, input)?;
     let has_brackets = input.peek_group(Delimiter::Bracket);
-    if arguments.is_none() && (has_brackets || begins_hinge(&word)) && is_misplaced(input) {
+    let may_misplace = has_brackets || begins_hinge(&word) || has_braces_and_name(input);
+    if arguments.is_none() && may_misplace && is_misplaced(input) {
         return misplaced(&word, input, diagnostics);
     }
     // A position may follow the name, or a body that is written by its type or its name only.
@@ -166,6 +167,14 @@ fn is_misplaced(input: &Cursor) -> bool {
     input.peek_group(Delimiter::Bracket)
         || input.peek_group(Delimiter::Brace)
         || input.peek_punct('<')
+}
+
+/// Returns whether braces and the name of an item are next.
+fn has_braces_and_name(input: &Cursor) -> bool {
+    let mut ahead = *input;
+    let has_braces = ahead.group(Delimiter::Brace).is_some();
+    let has_name = name(&mut ahead).is_some();
+    has_braces && has_name && (ahead.peek_punct(';') || ahead.peek_pair('-', '>'))
 }
 
 /// Reports a hinge with brackets other than parentheses, and reads its name only.

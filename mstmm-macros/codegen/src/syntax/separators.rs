@@ -15,6 +15,8 @@ pub(super) struct Separators {
     has_arrow: bool,
     /// Whether a branch began.
     pub branches: bool,
+    /// Whether the next item is behind a comma or a similar sign: it may be a further name of the item before it.
+    pub is_lost: bool,
 }
 
 impl Separators {
@@ -25,6 +27,7 @@ impl Separators {
 
     /// Reads `->`, or a wrong separator.
     pub fn read(&mut self, input: &mut Cursor, diagnostics: &mut Diagnostics) -> bool {
+        self.is_lost = false;
         if input.pair('-', '>').is_some() {
             self.has_arrow = true;
             return true;
@@ -40,6 +43,7 @@ impl Separators {
             *input = before;
             return false;
         }
+        self.is_lost = branches;
         if signs > 0 && !self.reported {
             let more = if branches { format!("; {}", BRANCHES) } else { String::new() };
             diagnostics.error(at, format!("join the items of a route by `->`{more}"));

@@ -6,9 +6,9 @@ use syn::ext::IdentExt;
 
 use crate::diag::Diagnostics;
 use crate::model::Request;
-use crate::model::lower::{BodyType, Draft, ItemName, KINDS, RouteItem};
-use crate::model::words::{
-    INPUTS, ITEM_WORDS, NUMBER_WORDS, PARAMETERS, RESERVED, ROUTE_WORDS, is_keyword_of_rust,
+use crate::model::lower::{
+    BodyType, Draft, INPUTS, ITEM_WORDS, ItemName, KINDS, NUMBER_WORDS, PARAMETERS, RESERVED_NAMES,
+    ROUTE_WORDS, RouteItem, is_keyword_of_rust,
 };
 use crate::syntax::{BlockSyntax, FUNCTIONS};
 
@@ -213,7 +213,7 @@ pub(super) fn names_are_not_reserved(draft: &Draft, diagnostics: &mut Diagnostic
     parameters.filter(|name| PARAMETERS.iter().any(|known| name == known)).for_each(&mut refuse);
     for used in names(draft) {
         let mut methods = used.methods().chain([used.name.joined.to_string()]);
-        if methods.any(|method| RESERVED.contains(&&*method)) {
+        if methods.any(|method| RESERVED_NAMES.contains(&&*method)) {
             refuse(&used.name.joined);
         }
     }

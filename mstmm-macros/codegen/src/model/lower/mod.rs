@@ -34,6 +34,7 @@ mod start;
 mod unit;
 mod unknown_name;
 mod vector;
+mod words;
 
 pub(super) use body::BodyType;
 pub(super) use context::Spanned;
@@ -48,6 +49,10 @@ pub(super) use parts::{ItemName, WrittenOut, WrittenRepeat, WrittenRoute, write_
 pub(super) use place::{POINTS, PlacePoint, example_place, places_of};
 pub(super) use route_item::RouteItem;
 pub(super) use start::RouteStart;
+pub use words::RESERVED as RESERVED_NAMES;
+pub(super) use words::{
+    INPUTS, ITEM_WORDS, NUMBER_WORDS, PARAMETERS, ROUTE_WORDS, is_keyword_of_rust,
+};
 
 use crate::diag::Diagnostics;
 use crate::model::Dimension;

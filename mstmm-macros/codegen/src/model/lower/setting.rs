@@ -3,8 +3,8 @@
 use super::context::{Context, Spanned};
 use super::dimension::ACCELERATION;
 use super::fields::{FieldOwner, Fields};
+use super::words::can_name_parameter;
 use crate::diag::{did_you_mean, nearest};
-use crate::model::words::can_name_parameter;
 use crate::model::{
     ANSWER_WORDS, Foreign, OTHER_ANSWERS, Request, Results, SolutionMethod, Source,
 };

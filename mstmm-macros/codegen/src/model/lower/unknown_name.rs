@@ -3,8 +3,8 @@
 use proc_macro2::Ident;
 
 use super::context::Context;
+use super::words::{can_name_parameter, is_keyword_of_rust};
 use crate::diag::nearest;
-use crate::model::words::{can_name_parameter, is_keyword_of_rust};
 use crate::syntax::FUNCTIONS;
 
 /// Functions whose names are close to those of other functions.

@@ -112,3 +112,51 @@ fn keywords_of_rust_are_refused_where_they_are_declared() {
     let plain = "write this name without `r#`: `a`";
     expect_rods("ground -> pin r#a -> Rod rod;", &[("r#a", plain)]);
 }
+
+#[test]
+fn a_word_that_is_no_type_is_one_error() {
+    let body =
+        "{ mass = 1; com = [0, 0, 0]; output = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }";
+    let keyword = [("pin", "`pin` is a keyword of this language …")];
+    expect_rods(&format!("body pin {body} ground -> pin a -> pin b;"), &keyword);
+    expect_rods("part pin { ball a -> Rod b; } ground -> pin a;", &keyword);
+    expect_rods("part pin { ball a -> Rod b; } ground -> ball c -> Rod r -> pin a;", &keyword);
+    let both = [("Rod", "`Rod` is a part and a body type: …")];
+    expect_rods("part Rod { pin a -> Rod b; } ground -> Rod r;", &both);
+    expect_rods("part P { } ground -> P p;", &[("P", "part `P` has no route: …")]);
+}
+
+#[test]
+fn several_names_are_one_error() {
+    let each = "a `param` is one parameter: write a `param` for each";
+    expect_mass("param p, r = 1 kg;", "p + r", &[(",", each)]);
+    let branches = "join the items of a route by `->`; …";
+    let route = "ground -> pin(z) a, b -> Rod rod; hinge a, b { damping = 1; }";
+    expect_rods(route, &[(",", branches)]);
+}
+
+#[test]
+fn a_chain_has_no_parameters_in_parentheses() {
+    let body = "body Rod { mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; }";
+    let chain =
+        |parameters: &str| format!("chain A{parameters} {{ {body} ground -> pin j -> Rod rod; }}");
+    expect_all(&chain("()"), &[("(", "expected `{`, found `(`")]);
+    expect_all(&chain("(m)"), &[("(", "expected `{`, found `(`")]);
+}
+
+#[test]
+fn names_have_no_hyphens() {
+    let hyphens = [("start", "a name has no hyphens: write `start_rate`")];
+    expect_hinge("pin", "start-rate = 1;", &hyphens);
+    let other = [("limit", "a name has no hyphens: write `limit_of_speed`")];
+    expect_hinge("pin", "limit-of-speed = 1;", &other);
+}
+
+#[test]
+fn arguments_of_parts_are_in_parentheses() {
+    let part = "part Leg(x) { pin a -> Rod b; hinge a { damping = x; } }";
+    expect_rods(
+        &format!("{part} ground -> pin j -> Rod rod; rod.output -> Leg{{1}} left;"),
+        &[("{1}", "write `Leg(…) left`")],
+    );
+}

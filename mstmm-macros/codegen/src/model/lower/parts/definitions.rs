@@ -10,8 +10,8 @@ use crate::model::lower::context::Context;
 use crate::model::lower::hinge::KINDS;
 use crate::model::lower::parameter::UNUSED;
 use crate::syntax::{
-    ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, PartSyntax, RouteItemSyntax, RouteSyntax,
-    SpanRange, StepSyntax,
+    BlockKeyword, BlockSyntax, ChainSyntax, ContentSyntax, ExprKind, ExprSyntax, PartSyntax,
+    RouteItemSyntax, RouteSyntax, SpanRange, StepSyntax,
 };
 
 /// Returns the parts by name, without those that cannot be set, and reports errors in them.
@@ -88,6 +88,21 @@ fn check_routes(part: &PartSyntax, diagnostics: &mut Diagnostics) {
         let message = format!("`{word}` is written outside of parts: `{example} -> {name} name`");
         diagnostics.error(*at, message);
     }
+}
+
+/// Returns whether every word on a route means what its author intended: no part lacks its route or has the name of a
+/// type, and neither a part nor a type has that of a kind of hinge. All of these are reported.
+pub(super) fn words_are_clear(def: &ChainSyntax, parts: &HashMap<String, &PartSyntax>) -> bool {
+    let can_be_set = |part: &PartSyntax| {
+        let part = parts.get(&part.name.to_string());
+        part.is_some_and(|part| !part.content.routes.is_empty())
+    };
+    let contents = def.parts.iter().map(|part| &part.content).chain([&def.content]);
+    let blocks = contents.flat_map(|content| &content.blocks);
+    let is_type = |block: &&BlockSyntax| block.word == BlockKeyword::Body && !block.after_route;
+    let mut types = blocks.filter(is_type).flat_map(|block| &block.names);
+    let is_kind = |name: &Ident| KINDS.iter().any(|kind| name == kind.word);
+    def.parts.iter().all(can_be_set) && !types.any(|path| is_kind(path.end()))
 }
 
 /// Returns the names of the parts that are never set on a route.

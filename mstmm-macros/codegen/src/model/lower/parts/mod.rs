@@ -183,6 +183,7 @@ pub(in crate::model) fn write_out<'a>(
 ) -> WrittenOut<'a> {
     let parts = definitions::parts(def, diagnostics);
     let unused_parts = definitions::unused(def, &parts);
+    let words_are_clear = definitions::words_are_clear(def, &parts);
     let mut writer = RouteWriter::new(def, parts, diagnostics);
     writer.write_chain();
     let mut written = writer.written;
@@ -191,7 +192,7 @@ pub(in crate::model) fn write_out<'a>(
     let parts_are_complete = parts.iter().all(|part| part.content.complete);
     written.complete &= def.content.complete && parts_are_complete;
     // An unreadable item of a part may be a route.
-    written.routes_are_complete &= parts_are_complete;
+    written.routes_are_complete &= parts_are_complete && words_are_clear;
     let contents = parts.iter().map(|part| &part.content).chain([&def.content]);
     let mut routes = contents.flat_map(|content| &content.routes);
     written.routes_are_complete &= routes.all(RouteSyntax::is_complete);

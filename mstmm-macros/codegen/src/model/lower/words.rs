@@ -47,30 +47,30 @@ pub const RESERVED: &[&str] = &[
 ];
 
 /// Names of parameters whose setters would hide other methods: every chain has `set_parameter`.
-pub(super) const PARAMETERS: &[&str] = &["parameter"];
+pub(crate) const PARAMETERS: &[&str] = &["parameter"];
 
 /// Fields that the inputs of a chain may have.
-pub(super) const INPUTS: &[&str] = &["gravity"];
+pub(crate) const INPUTS: &[&str] = &["gravity"];
 
 /// Keywords that are no names for body types, in addition to the kinds of hinges.
-pub(super) const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
+pub(crate) const ROUTE_WORDS: &[&str] = &["moving", "repeat", "at", "turned"];
 
 /// Keywords that are no names for parameters, in addition to the functions.
-pub(super) const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
+pub(crate) const NUMBER_WORDS: &[&str] = &["PI", "input", "riccati", "transfer"];
 
 /// Keywords of items, which are no names for anything.
-pub(super) const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
+pub(crate) const ITEM_WORDS: &[&str] = &["body", "hinge", "param", "ground"];
 
 /// Keywords of newer editions of Rust, which the parser accepts as names.
-pub(super) const LATER_KEYWORDS: &[&str] = &["gen"];
+pub(crate) const LATER_KEYWORDS: &[&str] = &["gen"];
 
 /// Returns whether a word is a keyword of Rust.
-pub(super) fn is_keyword_of_rust(word: &str) -> bool {
+pub(crate) fn is_keyword_of_rust(word: &str) -> bool {
     syn::parse_str::<Ident>(word).is_err() || LATER_KEYWORDS.contains(&word)
 }
 
 /// Returns whether a parameter of the chain may have this name.
-pub(super) fn can_name_parameter(word: &str) -> bool {
+pub(crate) fn can_name_parameter(word: &str) -> bool {
     let refused = [RESERVED, PARAMETERS, INPUTS, NUMBER_WORDS, ITEM_WORDS, FUNCTIONS];
     !is_keyword_of_rust(word) && refused.iter().all(|words| !words.contains(&word))
 }
