@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use super::cursor::Cursor;
 use super::lookahead::{begins_field, point};
 use super::tree::{ExprKind, ExprSyntax, FieldSyntax, ValueSyntax};
-use super::value::value;
+use super::value;
 use super::{attribute, lookahead, other_programs, shape};
 use crate::diag::{Diagnostics, nearest};
 
@@ -81,7 +81,7 @@ fn value_of(name: &Ident, input: &mut Cursor) -> Result<ValueSyntax> {
     if name == "shape" || shape::is_next(input) {
         return shape::shapes(input).map(ValueSyntax::Shapes);
     }
-    value(input)
+    value::value_of(Some(name), input)
 }
 
 /// The fields whose values are single words.

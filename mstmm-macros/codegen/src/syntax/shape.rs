@@ -46,7 +46,11 @@ pub(super) fn shapes(input: &mut Cursor) -> Result<ShapesSyntax> {
 }
 
 fn shape(input: &mut Cursor) -> Result<ShapeSyntax> {
+    let start = *input;
     let word = input.ident().ok_or_else(|| input.unexpected(EXPECTED))?;
+    if !input.peek_group(Delimiter::Parenthesis) && SHAPES.iter().all(|known| word != known) {
+        return Err(start.unexpected(EXPECTED));
+    }
     let group = input.group(Delimiter::Parenthesis);
     let (inside, parentheses) = group.ok_or_else(|| input.unexpected("`(`"))?;
     let arguments = arguments(inside)?;

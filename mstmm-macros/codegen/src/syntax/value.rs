@@ -11,8 +11,18 @@ use super::tree::{
 };
 use super::{number, unit};
 
-/// Parses a value.
+/// Parses a value that is no field.
 pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
+    value_of(None, input)
+}
+
+/// Returns whether a field is an inertia, perhaps under a wrong name.
+fn is_inertia(field: Option<&Ident>) -> bool {
+    field.is_none_or(|field| ["mass", "com", "output"].iter().all(|known| field != known))
+}
+
+/// Parses the value of a field.
+pub(super) fn value_of(field: Option<&Ident>, input: &mut Cursor) -> Result<ValueSyntax> {
     if input.is_empty() || input.peek_punct(';') {
         return Err(input.unexpected("a value"));
     }
@@ -42,7 +52,7 @@ pub(super) fn value(input: &mut Cursor) -> Result<ValueSyntax> {
     }
     Ok(match (position, about(input)?) {
         (ValueSyntax::Number(expr), Some(point)) => ValueSyntax::About(expr, point),
-        (ValueSyntax::Vector(list), Some(_)) => {
+        (ValueSyntax::Vector(list), Some(_)) if is_inertia(field) => {
             let message = "write an inertia as `diag(xx, yy, zz)`, with round parentheses";
             return Err(Error::new(list.extent.first, message));
         }

@@ -164,11 +164,20 @@ impl LoadTarget<'_, '_> {
                 let at = |context: &mut Context, syntax: &ValueSyntax| match syntax.word() {
                     Some(word) if word == "com" => Some(com()),
                     Some(word) => self.point(word, syntax, context),
-                    None => context.read_vector(syntax, LENGTH).map(Some),
+                    None => self.position(syntax, context).map(Some),
                 };
                 context.field(field, at)?.value
             }
         }
+    }
+
+    /// Reads a position; a place on the body is reported with the name of its point.
+    fn position(&self, syntax: &ValueSyntax, context: &mut Context) -> Option<[Value; 3]> {
+        if let ValueSyntax::Path(path) = syntax {
+            let message = format!("a point of this body has a single name: `at = {}`", path.end());
+            return context.refuse(path.extent(), message);
+        }
+        context.read_vector(syntax, LENGTH)
     }
 
     /// Reads a named point; `Some(None)` if it has no position, which is reported.

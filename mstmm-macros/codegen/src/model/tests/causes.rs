@@ -160,3 +160,38 @@ fn arguments_of_parts_are_in_parentheses() {
         &[("{1}", "write `Leg(…) left`")],
     );
 }
+
+#[test]
+fn only_inertias_have_a_reference_point() {
+    let body = |com: &str| {
+        format!("body Bar {{ mass = 1; com = {com}; inertia = diag(1, 1, 1) about com; }}")
+    };
+    expect_rods(
+        &format!("{} ground -> pin j -> Rod rod -> pin k -> Bar b;", body("[1, 0, 0] m about com")),
+        &[("com", "only an inertia has a reference point: …")],
+    );
+}
+
+#[test]
+fn a_word_that_is_no_shape_is_refused_itself() {
+    let body = |shape: &str| {
+        format!("mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; shape = {shape};")
+    };
+    for word in ["none", "input"] {
+        let message = format!("expected a shape, such as `sphere(radius = 5 cm)`, found `{word}`");
+        expect_rods(
+            &format!("body Bar {{ {} }} ground -> pin j -> Rod rod -> pin k -> Bar b;", body(word)),
+            &[(word, &message)],
+        );
+    }
+}
+
+#[test]
+fn a_point_of_a_load_is_a_single_name() {
+    let load = |at: &str| {
+        format!("ground -> pin j -> Rod rod; load f {{ on = rod; at = {at}; force = input; }}")
+    };
+    let single = "a point of this body has a single name: `at = output`";
+    expect_rods(&load("rod.output"), &[("rod.output", single)]);
+    expect_rods(&load("output"), &[]);
+}
