@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::{Error, Result};
 
 use super::cursor::Cursor;
-use super::lookahead::{begins_field, name};
+use super::lookahead::{HINGES, begins_field, name};
 use super::route_tree::RouteItemSyntax;
 use super::tree::{ArgumentsSyntax, ValueSyntax};
 use super::value;
@@ -25,6 +25,7 @@ pub(super) fn route_item(
             at,
             position,
             turned: value::turned(input)?.map(Box::new),
+            name: name_alone(input),
         });
     }
     if let Some(at) = input.word("moving") {
@@ -117,12 +118,26 @@ fn lacks_at(input: &Cursor, diagnostics: &mut Diagnostics) -> bool {
     is_position
 }
 
+/// Reads a name after `ground`, if an arrow or the end of the route follows: it has none, which is reported later.
+fn name_alone(input: &mut Cursor) -> Option<Ident> {
+    let mut ahead = *input;
+    let name = name(&mut ahead).filter(|name| {
+        begins_hinge(name) && HINGES.iter().all(|kind| name != kind) && is_end(&ahead)
+    })?;
+    *input = ahead;
+    Some(name)
+}
+
+/// Returns whether an item of a route ends here.
+fn is_end(input: &Cursor) -> bool {
+    input.is_empty() || input.peek_punct(';') || input.peek_pair('-', '>')
+}
+
 /// Returns whether `at` or `turned` begins a position or an orientation: alone it is a name.
 fn begins_place(input: &Cursor) -> bool {
     let mut ahead = *input;
     let is_word = ahead.ident().is_some_and(|word| word == "at" || word == "turned");
-    let is_alone = ahead.is_empty() || ahead.peek_punct(';') || ahead.peek_pair('-', '>');
-    is_word && !is_alone
+    is_word && !is_end(&ahead)
 }
 
 /// Reports a position after a moving end.

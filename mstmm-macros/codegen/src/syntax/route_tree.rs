@@ -174,6 +174,8 @@ pub enum RouteItemSyntax {
         position: Option<Box<ValueSyntax>>,
         /// The orientation of the frame on the ground.
         turned: Option<Box<OrientationSyntax>>,
+        /// A name after it, which is an error.
+        name: Option<Ident>,
     },
     /// `moving name`
     Moving {

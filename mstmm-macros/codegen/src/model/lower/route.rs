@@ -39,10 +39,13 @@ impl<'a> Resolver<'a, '_> {
         let scope = &self.written.scopes[item.scope];
         let item_name = |name: &Option<Ident>| name.as_ref().map(|name| scope.item_name(name));
         let resolved = match &*item.syntax {
-            RouteItemSyntax::Ground { at, position, turned } => RouteItem::Ground {
-                at: *at,
-                frame: context.frame(position.as_deref(), turned.as_deref()),
-            },
+            RouteItemSyntax::Ground { at, position, turned, name } => {
+                if let Some(name) = name {
+                    self.refuse_name(name, context);
+                }
+                let frame = context.frame(position.as_deref(), turned.as_deref());
+                RouteItem::Ground { at: *at, frame }
+            }
             RouteItemSyntax::Moving { at, name } => {
                 if name.is_none() {
                     let message = "a moving end needs a name: write `moving name`";
@@ -55,6 +58,14 @@ impl<'a> Resolver<'a, '_> {
         };
         self.known.extend(resolved.name().map(|name| name.path.clone()));
         resolved
+    }
+
+    /// Reports a name of the ground, unless a type or a part is called `ground`, which is reported.
+    fn refuse_name(&self, name: &Ident, context: &mut Context) {
+        let types = self.types.all.iter().map(|body| body.name);
+        let words = types.chain(self.written.parts.iter().copied());
+        let message = format!("the ground has no name: remove `{name}`");
+        context.diagnostics.unknown(name, message, words.filter(|word| *word == "ground"));
     }
 
     fn element(&self, index: usize, context: &mut Context) -> RouteItem<'a> {

@@ -121,6 +121,13 @@ fn a_word_that_is_no_type_is_one_error() {
     expect_rods(&format!("body pin {body} ground -> pin a -> pin b;"), &keyword);
     expect_rods("part pin { ball a -> Rod b; } ground -> pin a;", &keyword);
     expect_rods("part pin { ball a -> Rod b; } ground -> ball c -> Rod r -> pin a;", &keyword);
+    let keyword = [("ground", "`ground` is a keyword of this language …")];
+    expect_rods(
+        &format!("body ground {body} ground -> pin a -> Rod r -> pin b -> ground g;"),
+        &keyword,
+    );
+    let name = [("g", "the ground has no name: remove `g`")];
+    expect_rods("ground g -> pin a -> Rod r;", &name);
     let both = [("Rod", "`Rod` is a part and a body type: …")];
     expect_rods("part Rod { pin a -> Rod b; } ground -> Rod r;", &both);
     expect_rods("part P { } ground -> P p;", &[("P", "part `P` has no route: …")]);
