@@ -11,7 +11,7 @@ use crate::syntax::FUNCTIONS;
 const OTHER_FUNCTIONS: &[&str] = &["asin", "acos", "sinh", "cosh", "cot", "sign"];
 
 impl Context<'_> {
-    /// Reports a name in a number that means nothing.
+    /// Reports an unknown name in a number.
     pub fn unknown_name<T>(&mut self, name: &Ident) -> Option<T> {
         let text = name.to_string();
         let message = if is_keyword_of_rust(&text) {

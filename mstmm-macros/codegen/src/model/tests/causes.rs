@@ -1,4 +1,4 @@
-//! Messages name the cause of a mistake, once, and their advice can be followed.
+//! Messages name the cause of an error, once, and their advice can be followed.
 
 use super::each_error_once::{expect_hinge, expect_rods};
 use super::expect_all;
