@@ -45,7 +45,8 @@ pub enum Error {
         /// The condition that the value does not meet, such as "must be positive".
         reason: &'static str,
     },
-    /// The step size control cannot meet the tolerance with a step that still changes the time.
+    /// The step size control cannot meet the tolerance with a step that still changes the time, and of which fewer than 10¹⁸
+    /// lead to the end.
     StepTooSmall,
     /// The time to interpolate at is outside the last step, or there is no step yet.
     OutsideStep,
