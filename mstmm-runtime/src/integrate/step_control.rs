@@ -46,7 +46,7 @@ impl<R: Scalar<Real = R, Mask = bool> + PartialOrd> StepControl<R> {
         clamp(self.step, shortest, self.maximum)
     }
 
-    /// Returns whether the limits are numbers, and the minimum is below the maximum.
+    /// Returns whether the limits are numbers, the maximum is positive, and the minimum is at most the maximum.
     pub(super) fn has_limits(&self) -> bool {
         self.minimum <= self.maximum && self.maximum > R::default()
     }

@@ -218,7 +218,11 @@ fn correct_nearby(cx: &EmitContext) -> TokenStream {
         const ROTATIONS_: &'static [#mstmm::generated::RotationCoordinates] = #rotations;
 
         /// Corrects the state once, with rotations of at most half a rad.
-        fn correct_nearby_(&self, state_: &mut #state<T>, inputs_: &#inputs<T>) -> #mstmm::generated::Residual<T> {
+        fn correct_nearby_(
+            &self,
+            state_: &mut #state<T>,
+            inputs_: &#inputs<T>,
+        ) -> #mstmm::generated::Residual<T> {
             let before_ = state_.q;
             let residual_ = self.correct(state_, inputs_);
             if #mstmm::generated::limit_rotations(

@@ -7,7 +7,7 @@
 //! Changes of parameters that change no effort are sums of changes that involve one link, or a link and its parent: what the
 //! motion of a hinge cannot distinguish moves from one of its links to the other (P. M. Wensing, G. Niemeyer, J.-J. E.
 //! Slotine, A geometric characterization of observability in inertial parameter identification, Int. J. Robot. Res., 2024).
-//! Therefore a column is compared with those of its own link and of the parent.
+//! Therefore a column is compared only with the columns of its own link and of the parent.
 
 use super::dry_run::{DryRun, Number, near_zero};
 use crate::equations::{Axes, Trace, regressor};

@@ -237,9 +237,9 @@ impl<C: Chain> Dopri5<C> {
     /// Integrates `state` over `duration` in s, as [`advance_to`](Dopri5::advance_to) does to the time of
     /// `state` plus `duration`.
     ///
-    /// A negative duration goes back in time. The end is the next representable time, and the rounding error is part of the
-    /// next call: durations of calls in a row add up to their sum. A call whose duration is shorter than the spacing of
-    /// times may change nothing.
+    /// A negative duration goes back in time. The end time is rounded, and the next call adds the rounding error:
+    /// durations of calls in a row add up to their sum. A call whose duration is shorter than the spacing of times may
+    /// change nothing.
     ///
     /// # Errors
     /// Those of [`advance_to`](Dopri5::advance_to).

@@ -43,7 +43,8 @@ impl<C: Chain> Dopri5<C> {
             return Err(error.into());
         }
         if !self.control.has_limits() {
-            let (name, reason) = ("step limits", "must be a minimum and a maximum above it");
+            let (name, reason) =
+                ("step limits", "must be a minimum and a positive maximum that is not below it");
             return Err(Error::InvalidParameter { name, reason }.into());
         }
         let Self { steps: [a, b], end, .. } = self;

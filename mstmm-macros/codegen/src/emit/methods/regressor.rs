@@ -164,8 +164,9 @@ fn names(cx: &EmitContext) -> TokenStream {
         #visibility const DYNAMIC_PARAMETERS: [&'static ::core::primitive::str; #columns] = [#(#names),*];
         /// The indices of dynamic parameters whose columns are independent: the base parameters. The column of every other
         /// parameter is a combination of theirs, in every state and for all inputs, so no motion can tell its value from
-        /// theirs. They are the first with independent columns, from the ground outward. Prescribed motions and gravity as an input must vary for all base parameters to be identified.
-        /// States of a closed chain need not fulfil its loop constraints.
+        /// theirs. They are the first with independent columns, from the ground outward. Prescribed motions and gravity as an
+        /// input must vary for all base parameters to be identified. States of a closed chain need not fulfil its loop
+        /// constraints.
         ///
         /// Found numerically, with parameters at their defaults; empty if the description has Rust constants.
         #visibility const BASE_PARAMETERS: [::core::primitive::usize; #base_count] = [#(#base),*];
