@@ -28,26 +28,6 @@
 //! | input, output | I, O | the inboard and the outboard end of an element |
 //! | `effort` | – | torque or force of the motor of a hinge along its degrees of freedom |
 //!
-//! # Sines, cosines and angles
-//!
-//! [`Scalar::sin_cos`] of `f32` and `f64` is implemented in this crate: without branches, several angles at once, `f32`
-//! in single precision only. Errors in units in the last place of the exact value, measured over samples and near
-//! multiples of π/2:
-//!
-//! | angle in rad | `f32` | `f64` |
-//! |---|---|---|
-//! | up to 10⁴ | below 0.85 | below 0.8 |
-//! | up to 10⁶ | absolute error below ε · angle | below 1.8 |
-//! | larger | the same | absolute error below ε · angle |
-//! | NaN | from 3.3·10⁶ on | from 1.8·10¹⁵ on |
-//!
-//! ε is [`Scalar::epsilon`]. For such large angles the error is that of the angle itself, whose last place is then a
-//! large part of a full rotation. NaN and infinite angles give NaN.
-//!
-//! [`Scalar::atan2`] is implemented in the same way. Its error, measured over samples of all directions and near the
-//! limits of its approximations, is below 0.85 units in the last place for `f32` and below 0.75 for `f64`, over the
-//! whole range of both types.
-//!
 //! # Integration
 //!
 //! ```
