@@ -2,6 +2,7 @@
 //! kind of hinge, setting, field and unit that the compiler knows. Their docs are made from the tables of
 //! `src/language.md` and from the units below. `MSTMM_BLESS=1 cargo test -p mstmm-codegen keywords` writes them.
 
+use crate::model::RESERVED_NAMES;
 use crate::model::lower::keywords_of;
 use crate::syntax::KeywordGroup;
 use std::collections::BTreeMap;
@@ -277,6 +278,18 @@ fn groups_with_unique_names_have_no_common_keyword() {
     words.sort();
     words.dedup();
     assert_eq!(words.len(), count);
+}
+
+#[test]
+fn the_reference_lists_all_reserved_names() {
+    let text = fs::read_to_string(root().join("src/language.md")).expect("the reference");
+    let (_, rest) = text.split_once("a name that the generated types use: ").expect("the list");
+    let (list, _) = rest.split_once(';').expect("the end of the list");
+    let mut listed: Vec<&str> = list.split('`').skip(1).step_by(2).collect();
+    let mut reserved = RESERVED_NAMES.to_vec();
+    listed.sort_unstable();
+    reserved.sort_unstable();
+    assert_eq!(listed, reserved);
 }
 
 #[test]
