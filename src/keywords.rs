@@ -5,7 +5,8 @@
 //! have no values and no other use.
 //!
 //! The pages are made from the tables of [the reference](crate::mstmm_chain) and from the compiler's
-//! table of units. Those of [`answers`] are found by the names in [`terms`](crate::terms), too.
+//! table of units. Those of [`answers`] and [`hinge`](mod@hinge) are found by the names in
+//! [`terms`](crate::terms), too.
 
 // Keywords are written in lower case.
 #![allow(non_camel_case_types)]
@@ -15,6 +16,8 @@ pub mod answers;
 /// Fields of `body` blocks after the route: the start of a floating base.
 pub mod base;
 /// Fields of body types.
+#[doc(alias("RigidBody", "inertial", "SpatialInertia", "Inertia"))]
+#[doc(alias("geom", "RegisterVisualGeometry", "GeometryObject"))]
 pub mod body;
 /// Fields of `hinge` blocks.
 pub mod hinge;
@@ -24,8 +27,10 @@ pub mod kinds;
 #[doc(alias("xfrc_applied", "ExternallyAppliedSpatialForce", "fext", "external force", "wrench"))]
 pub mod load;
 /// Settings of a chain.
+#[doc(alias("UniformGravityFieldElement", "Model::gravity"))]
 pub mod settings;
 /// Fields of `spring` blocks.
+#[doc(alias("LinearSpringDamper", "AddForceElement", "tendon", "tendon/spatial", "springlength"))]
 pub mod spring;
 /// Units of numbers.
 pub mod units;

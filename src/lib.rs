@@ -7,7 +7,8 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[doc = include_str!("frames.md")]
-#[doc(alias("IMU", "accelerometer", "gyroscope", "specific force"))]
+#[doc(alias("IMU", "accelerometer", "gyroscope", "gyro", "velocimeter", "specific force"))]
+#[doc(alias("world_body", "worldbody", "universe", "Frame", "FixedOffsetFrame", "pos", "quat"))]
 pub mod frames {}
 
 #[doc = include_str!("terms.md")]
@@ -21,6 +22,8 @@ pub mod frames {}
 #[doc(alias(
     "AddCouplerConstraint",
     "JointModelMimic",
+    "equality/joint",
+    "mocap",
     "CalcBiasCenterOfMassTranslationalAcceleration"
 ))]
 #[doc(alias("dccrba", "computeCentroidalMapTimeVariation"))]

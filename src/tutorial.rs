@@ -1,7 +1,8 @@
 #![doc = include_str!("tutorial/tutorial.md")]
 
 pub mod five_minutes {
-    #![doc(alias("URDF", "import", "quick start", "robot"))]
+    #![doc(alias("URDF", "import", "quick start", "robot", "Parser", "AddModels", "mj_loadXML"))]
+    #![doc(alias("buildModelFromUrdf", "buildModelFromMJCF"))]
     #![doc = include_str!("tutorial/five_minutes.md")]
 }
 
@@ -21,6 +22,7 @@ pub mod further {
 
 pub mod trees {
     #![doc(alias("branch", "contact", "humanoid", "leg", "legged robot", "quadruped", "tree"))]
+    #![doc(alias("parent", "attach", "appendModel", "prefix", "replicate"))]
     #![doc = include_str!("tutorial/trees.md")]
 }
 
@@ -31,6 +33,7 @@ pub mod answers {
         "gravity compensation",
         "operational space control",
         "control engineer",
+        "computeAllTerms",
         "J-dot v"
     ))]
     #![doc = include_str!("tutorial/answers.md")]

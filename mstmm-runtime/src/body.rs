@@ -49,7 +49,7 @@ where
     /// Returns the motion of the centre of mass.
     ///
     /// In a line chain it exists only if the description of the body has a `com`.
-    #[doc(alias("centre of mass", "center of mass", "CoM"))]
+    #[doc(alias("centre of mass", "center of mass", "CoM", "xipos"))]
     #[inline]
     pub fn com(&self) -> BodyPoint<P>
     where

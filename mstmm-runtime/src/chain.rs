@@ -20,6 +20,7 @@ pub trait ChainState: Clone + Default {
     ///
     /// Integrators allocate their buffers with it. The default implementation is [`Default::default`], for states
     /// whose default is that state.
+    #[doc(alias("neutral", "mj_resetData"))]
     #[must_use]
     fn zero_position() -> Self {
         Self::default()
@@ -27,16 +28,20 @@ pub trait ChainState: Clone + Default {
 
     /// Returns the coordinates: rad, m, and the components w, x, y, z of unit quaternions.
     #[doc(alias("q", "qpos", "configuration", "positions", "generalized coordinates", "nq"))]
+    #[doc(alias("GetPositions", "num_positions", "mj_getState"))]
     fn coordinates(&self) -> &[Self::Scalar];
 
     /// Returns the coordinates, to be changed.
+    #[doc(alias("SetPositions", "mj_setState"))]
     fn coordinates_mut(&mut self) -> &mut [Self::Scalar];
 
     /// Returns the rates: rad/s and m/s.
     #[doc(alias("v", "qvel", "generalized velocities", "nv", "degrees of freedom"))]
+    #[doc(alias("GetVelocities", "num_velocities", "mj_getState"))]
     fn rates(&self) -> &[Self::Scalar];
 
     /// Returns the rates, to be changed.
+    #[doc(alias("SetVelocities", "mj_setState"))]
     fn rates_mut(&mut self) -> &mut [Self::Scalar];
 
     /// Returns the time in s.
@@ -77,6 +82,7 @@ pub trait Chain {
     /// # Errors
     /// [`Error::NotFinite`] if the state or the inputs are not finite. [`Error::Singular`] if the bodies outboard of
     /// a hinge have no inertia along one of its axes. `rate` is unspecified after an error.
+    #[doc(alias("EvalTimeDerivatives", "CalcTimeDerivatives", "forward dynamics"))]
     fn derivative_into(
         &self,
         state: &Self::State,
@@ -192,13 +198,14 @@ pub trait GeneratedChain: Chain {
     type Workspace;
 
     /// Returns the state at the start that the description gives, at time zero.
+    #[doc(alias("CreateDefaultContext", "mj_resetDataKeyframe", "keyframe"))]
     fn initial_state(&self) -> Self::State;
 
     /// Returns inputs that are all zero.
     fn no_inputs(&self) -> Self::Inputs;
 
     /// Returns an empty workspace for [`solve_into`](Self::solve_into).
-    #[doc(alias("data", "mjData", "context"))]
+    #[doc(alias("data", "mjData", "mj_makeData", "createData", "context"))]
     fn workspace(&self) -> Self::Workspace;
 
     /// Computes accelerations, efforts and the results that the chain's setting `results` lists, into `at`.
@@ -212,6 +219,7 @@ pub trait GeneratedChain: Chain {
     /// results afterwards, such as the acceleration of a point, are not tested: they may overflow where a length or a rate
     /// exceeds 1e150, in `f32` 1e18.
     #[doc(alias("forward dynamics", "aba", "constraint forces", "mj_forward"))]
+    #[doc(alias("constraintDynamics", "forwardDynamics", "mj_rnePostConstraint"))]
     fn solve_into(
         &self,
         state: &Self::State,
@@ -237,5 +245,6 @@ pub trait GeneratedChain: Chain {
     }
 
     /// Returns kinetic and potential energy.
+    #[doc(alias("mechanical energy"))]
     fn energy(&self, state: &Self::State) -> Energy<Self::Scalar>;
 }

@@ -10,19 +10,21 @@ pub struct Energy<T> {
         "computeKineticEnergy",
         "CalcKineticEnergy",
         "EvalKineticEnergy",
+        "kineticEnergy",
+        "e_kinetic",
         "mj_energyVel"
     ))]
     pub kinetic: T,
     /// Potential energy in J of gravity, springs and limits. It is zero if all centres of mass are at the inertial origin
     /// and all springs are at rest.
     #[doc(alias("computePotentialEnergy", "CalcPotentialEnergy", "EvalPotentialEnergy"))]
-    #[doc(alias("potential energy", "mj_energyPos"))]
+    #[doc(alias("potential energy", "potentialEnergy", "mj_energyPos", "e_potential"))]
     pub potential: T,
 }
 
 impl<T: Scalar> Energy<T> {
     /// Returns the sum of kinetic and potential energy.
-    #[doc(alias("mechanical energy", "computeMechanicalEnergy"))]
+    #[doc(alias("mechanical energy", "mechanicalEnergy", "computeMechanicalEnergy"))]
     #[inline]
     pub fn total(&self) -> T {
         self.kinetic + self.potential

@@ -9,6 +9,8 @@ use crate::{Mask, Scalar};
 /// squares of the forces in N and the moments in N m at the closing hinge, which is the last hinge of the first
 /// route that is not a weld.
 #[doc(alias("redundant constraints", "overconstrained", "constraint forces"))]
+#[doc(alias("RigidConstraintModel", "AddBallConstraint", "AddWeldConstraint"))]
+#[doc(alias("equality/connect", "equality/weld"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopClosure<T, const C: usize> {
     undetermined: [[T; 6]; C],

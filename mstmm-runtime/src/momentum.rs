@@ -10,13 +10,15 @@ pub struct Momentum<T> {
     pub mass: T,
     /// The centre of mass in m.
     #[doc(alias("centre of mass", "CoM", "centerOfMass", "CalcCenterOfMassPositionInWorld"))]
-    #[doc(alias("mj_comPos", "subtree_com"))]
+    #[doc(alias("mj_comPos", "subtree_com", "subtreecom"))]
     pub center_of_mass: Vector3<T>,
     /// Linear momentum in kg m/s.
-    #[doc(alias("mj_subtreeVel", "subtree_linvel"))]
+    #[doc(alias("mj_subtreeVel", "subtree_linvel", "subtreelinvel"))]
+    #[doc(alias("CalcCenterOfMassTranslationalVelocityInWorld"))]
     pub linear: Vector3<T>,
     /// Angular momentum about the centre of mass in kg m²/s.
     #[doc(alias("centroidal momentum", "computeCentroidalMomentum", "subtree_angmom"))]
+    #[doc(alias("subtreeangmom", "CalcSpatialMomentumInWorldAboutPoint"))]
     pub angular: Vector3<T>,
 }
 

@@ -19,6 +19,7 @@ impl<T: Copy, V: Copy> SpringResult<T, V> {
     }
 
     /// Returns the length in m: the distance of the ends, at least 10⁻¹⁵ m.
+    #[doc(alias("ten_length", "tendonpos"))]
     #[inline]
     pub fn length(&self) -> T {
         self.length
@@ -27,6 +28,7 @@ impl<T: Copy, V: Copy> SpringResult<T, V> {
     /// Returns the rate of the length in m/s, positive if the ends move apart.
     ///
     /// It is zero if the length is zero.
+    #[doc(alias("ten_velocity", "tendonvel"))]
     #[inline]
     pub fn length_rate(&self) -> T {
         self.length_rate

@@ -59,10 +59,12 @@ pub enum coriolis_matrix {}
 /// [`InverseDynamicsDerivatives`](crate::InverseDynamicsDerivatives): the N × N derivatives of τ with
 /// respect to coordinates (along the rates), rates, and accelerations; the last one is M.
 ///
-/// Other tools and textbooks: `computeRNEADerivatives`, `mjd_inverseFD`.
+/// Other tools and textbooks: `computeGeneralizedGravityDerivatives`, `computeRNEADerivatives`, `computeStaticTorqueDerivatives`, `mjd_inverseFD`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
+#[doc(alias = "computeGeneralizedGravityDerivatives")]
 #[doc(alias = "computeRNEADerivatives")]
+#[doc(alias = "computeStaticTorqueDerivatives")]
 #[doc(alias = "derivatives of inverse dynamics")]
 #[doc(alias = "mjd_inverseFD")]
 #[doc(alias = "tangent stiffness matrix")]
@@ -141,18 +143,21 @@ pub enum inverse_dynamics {}
 /// | `operational_space_inertia(&state, &inputs, &point)`, with `mass_matrix` | Λ = (J M⁻¹ Jᵀ)⁻¹. `Error::SingularMatrix` if the point cannot move in every direction, as that of an arm with fewer than six joints. The inertia against a force only is the inverse of the upper left block of J M⁻¹ Jᵀ, by [`linear::solve_positive_definite`](crate::linear::solve_positive_definite) |
 /// | `closure_jacobian(&state, &inputs)`, for a closed chain | the constraint Jacobian G, in axes of the outboard frame of the closing hinge: rates v with G v = 0 keep the chain closed if moving ends and prescribed motions are at rest, and [`linear::null_space`](crate::linear::null_space) is a basis of them |
 ///
-/// Other tools and textbooks: `CalcJacobianAngularVelocity`, `CalcJacobianSpatialVelocity`, `CalcJacobianTranslationalVelocity`, `CalcSpatialAccelerationsFromVdot`, `LOCAL_WORLD_ALIGNED`, `computeDelassusMatrix`, `computeFrameJacobian`, `computeJointJacobians`, `efc_AR`, `efc_J`, `getConstraintJacobian`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobian`, `mj_jac`, `mj_jacBody`, `mj_jacPointAxis`, `mj_jacSite`, `mj_objectAcceleration`.
+/// Other tools and textbooks: `CalcGeneralizedForces`, `CalcJacobianAngularVelocity`, `CalcJacobianSpatialVelocity`, `CalcJacobianTranslationalVelocity`, `CalcSpatialAccelerationsFromVdot`, `EvalBodySpatialAccelerationInWorld`, `LOCAL_WORLD_ALIGNED`, `cacc`, `computeDelassusMatrix`, `computeFrameJacobian`, `computeJointJacobians`, `efc_AR`, `efc_J`, `getConstraintJacobian`, `getConstraintsJacobian`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobian`, `getJointJacobian`, `mj_applyFT`, `mj_jac`, `mj_jacBody`, `mj_jacBodyCom`, `mj_jacPointAxis`, `mj_jacSite`, `mj_mulJacTVec`, `mj_mulJacVec`, `mj_objectAcceleration`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
+#[doc(alias = "CalcGeneralizedForces")]
 #[doc(alias = "CalcJacobianAngularVelocity")]
 #[doc(alias = "CalcJacobianSpatialVelocity")]
 #[doc(alias = "CalcJacobianTranslationalVelocity")]
 #[doc(alias = "CalcSpatialAccelerationsFromVdot")]
 #[doc(alias = "Delassus matrix")]
+#[doc(alias = "EvalBodySpatialAccelerationInWorld")]
 #[doc(alias = "Jacobian transpose")]
 #[doc(alias = "KKT conditions")]
 #[doc(alias = "LOCAL_WORLD_ALIGNED")]
 #[doc(alias = "Lagrange multipliers")]
+#[doc(alias = "cacc")]
 #[doc(alias = "computeDelassusMatrix")]
 #[doc(alias = "computeFrameJacobian")]
 #[doc(alias = "computeJointJacobians")]
@@ -166,13 +171,19 @@ pub enum inverse_dynamics {}
 #[doc(alias = "frame Jacobian")]
 #[doc(alias = "geometric Jacobian")]
 #[doc(alias = "getConstraintJacobian")]
+#[doc(alias = "getConstraintsJacobian")]
 #[doc(alias = "getFrameAcceleration")]
 #[doc(alias = "getFrameClassicalAcceleration")]
 #[doc(alias = "getFrameJacobian")]
+#[doc(alias = "getJointJacobian")]
+#[doc(alias = "mj_applyFT")]
 #[doc(alias = "mj_jac")]
 #[doc(alias = "mj_jacBody")]
+#[doc(alias = "mj_jacBodyCom")]
 #[doc(alias = "mj_jacPointAxis")]
 #[doc(alias = "mj_jacSite")]
+#[doc(alias = "mj_mulJacTVec")]
+#[doc(alias = "mj_mulJacVec")]
 #[doc(alias = "mj_objectAcceleration")]
 #[doc(alias = "mobility tensor")]
 #[doc(alias = "operational space")]
@@ -198,33 +209,50 @@ pub enum jacobian {}
 /// | `angular_velocity()` | rad/s, inertial axes |
 /// | `bias_acceleration()`, `angular_bias_acceleration()` | J̇ v in m/s² and rad/s²: the accelerations at v̇ = 0. Gravity is not part of them |
 ///
-/// Other tools and textbooks: `AutoDiffXd`, `CalcBiasSpatialAcceleration`, `CalcBiasTranslationalAcceleration`, `CalcPoseInWorld`, `CalcSpatialAccelerationsFromVdot`, `CalcSpatialVelocityInWorld`, `EvalBodyPoseInWorld`, `computeForwardKinematicsDerivatives`, `computeJointJacobiansTimeVariation`, `forwardKinematics`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobianTimeVariation`, `mj_jacDot`, `mj_kinematics`, `mj_objectAcceleration`, `mj_objectVelocity`, `updateFramePlacements`.
+/// Other tools and textbooks: `AutoDiffXd`, `CalcBiasSpatialAcceleration`, `CalcBiasTranslationalAcceleration`, `CalcPointsPositions`, `CalcPoseInWorld`, `CalcSpatialAccelerationsFromVdot`, `CalcSpatialVelocityInWorld`, `EvalBodyPoseInWorld`, `EvalBodySpatialAccelerationInWorld`, `EvalBodySpatialVelocityInWorld`, `cacc`, `computeForwardKinematicsDerivatives`, `computeJointJacobiansTimeVariation`, `cvel`, `forwardKinematics`, `framesForwardKinematics`, `getFrameAcceleration`, `getFrameClassicalAcceleration`, `getFrameJacobianTimeVariation`, `getFrameVelocity`, `getFrameVelocityDerivatives`, `mj_jacDot`, `mj_kinematics`, `mj_local2Global`, `mj_objectAcceleration`, `mj_objectVelocity`, `oMf`, `oMi`, `site_xmat`, `site_xpos`, `updateFramePlacements`, `xipos`, `xmat`, `xpos`, `xquat`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "AutoDiffXd")]
 #[doc(alias = "CalcBiasSpatialAcceleration")]
 #[doc(alias = "CalcBiasTranslationalAcceleration")]
+#[doc(alias = "CalcPointsPositions")]
 #[doc(alias = "CalcPoseInWorld")]
 #[doc(alias = "CalcSpatialAccelerationsFromVdot")]
 #[doc(alias = "CalcSpatialVelocityInWorld")]
 #[doc(alias = "EvalBodyPoseInWorld")]
+#[doc(alias = "EvalBodySpatialAccelerationInWorld")]
+#[doc(alias = "EvalBodySpatialVelocityInWorld")]
 #[doc(alias = "J-dot")]
 #[doc(alias = "J-dot v")]
 #[doc(alias = "Jacobian rate")]
+#[doc(alias = "cacc")]
 #[doc(alias = "computeForwardKinematicsDerivatives")]
 #[doc(alias = "computeJointJacobiansTimeVariation")]
+#[doc(alias = "cvel")]
 #[doc(alias = "forward kinematics")]
 #[doc(alias = "forwardKinematics")]
+#[doc(alias = "framesForwardKinematics")]
 #[doc(alias = "getFrameAcceleration")]
 #[doc(alias = "getFrameClassicalAcceleration")]
 #[doc(alias = "getFrameJacobianTimeVariation")]
+#[doc(alias = "getFrameVelocity")]
+#[doc(alias = "getFrameVelocityDerivatives")]
 #[doc(alias = "mj_jacDot")]
 #[doc(alias = "mj_kinematics")]
+#[doc(alias = "mj_local2Global")]
 #[doc(alias = "mj_objectAcceleration")]
 #[doc(alias = "mj_objectVelocity")]
+#[doc(alias = "oMf")]
+#[doc(alias = "oMi")]
 #[doc(alias = "pose of a frame")]
+#[doc(alias = "site_xmat")]
+#[doc(alias = "site_xpos")]
 #[doc(alias = "updateFramePlacements")]
 #[doc(alias = "velocity-product acceleration")]
+#[doc(alias = "xipos")]
+#[doc(alias = "xmat")]
+#[doc(alias = "xpos")]
+#[doc(alias = "xquat")]
 pub enum kinematics {}
 
 /// `answers = linearize;`: the accelerations and their derivatives: A and B of ẋ = A x + B u.
@@ -295,10 +323,11 @@ pub enum mass_matrix {}
 /// | `momentum(&state, &inputs)` | mass, centre of mass, linear momentum, and angular momentum about the centre of mass, in inertial axes: a [`Momentum`](crate::Momentum). Bodies that are fixed to the ground count for the mass and its centre |
 /// | `momentum_matrix(&state, &inputs)` | the centroidal momentum matrix, 6 × N: linear momentum in kg m/s, then angular momentum in kg m²/s, for rates v. Its first three rows divided by the mass are the Jacobian of the centre of mass. 3 × N in a plane, 1 × N on a line |
 ///
-/// Other tools and textbooks: `CalcCenterOfMassPositionInWorld`, `CalcJacobianCenterOfMassTranslationalVelocity`, `CalcSpatialMomentumInWorldAboutPoint`, `CalcTotalMass`, `ccrba`, `centerOfMass`, `computeCentroidalMap`, `computeCentroidalMomentum`, `computeTotalMass`, `jacobianCenterOfMass`, `mj_angmomMat`, `mj_comPos`, `mj_getTotalmass`, `mj_jacSubtreeCom`, `mj_subtreeVel`, `subtree_angmom`, `subtree_com`, `subtree_linvel`.
+/// Other tools and textbooks: `CalcCenterOfMassPositionInWorld`, `CalcCenterOfMassTranslationalVelocityInWorld`, `CalcJacobianCenterOfMassTranslationalVelocity`, `CalcSpatialMomentumInWorldAboutPoint`, `CalcTotalMass`, `ccrba`, `centerOfMass`, `computeCentroidalMap`, `computeCentroidalMomentum`, `computeTotalMass`, `getJacobianComFromCrba`, `jacobianCenterOfMass`, `mj_angmomMat`, `mj_comPos`, `mj_getTotalmass`, `mj_jacSubtreeCom`, `mj_subtreeVel`, `subtree_angmom`, `subtree_com`, `subtree_linvel`, `subtreeangmom`, `subtreecom`, `subtreelinvel`.
 ///
 /// See [answers](crate::mstmm_chain#answers).
 #[doc(alias = "CalcCenterOfMassPositionInWorld")]
+#[doc(alias = "CalcCenterOfMassTranslationalVelocityInWorld")]
 #[doc(alias = "CalcJacobianCenterOfMassTranslationalVelocity")]
 #[doc(alias = "CalcSpatialMomentumInWorldAboutPoint")]
 #[doc(alias = "CalcTotalMass")]
@@ -313,6 +342,7 @@ pub enum mass_matrix {}
 #[doc(alias = "computeCentroidalMap")]
 #[doc(alias = "computeCentroidalMomentum")]
 #[doc(alias = "computeTotalMass")]
+#[doc(alias = "getJacobianComFromCrba")]
 #[doc(alias = "jacobianCenterOfMass")]
 #[doc(alias = "mj_angmomMat")]
 #[doc(alias = "mj_comPos")]
@@ -322,6 +352,9 @@ pub enum mass_matrix {}
 #[doc(alias = "subtree_angmom")]
 #[doc(alias = "subtree_com")]
 #[doc(alias = "subtree_linvel")]
+#[doc(alias = "subtreeangmom")]
+#[doc(alias = "subtreecom")]
+#[doc(alias = "subtreelinvel")]
 pub enum momentum {}
 
 /// `answers = pull;`: the accelerations and the gradient of a weighted sum of them, in O(n) operations (reverse mode).

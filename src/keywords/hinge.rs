@@ -1,10 +1,16 @@
 // Written by the test `keywords` of `mstmm-codegen` from `src/language.md`: change the tables there.
+// Names of other tools are from `src/terms.md`.
 
 /// `armature`: inertia of a rotor that moves with the hinge, at the side of the hinge.
 ///
 /// Unit: kg for translations, kg m² for rotations. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `Model::armature`, `gear_ratio`, `rotor_inertia`.
+#[doc(alias = "Model::armature")]
+#[doc(alias = "gear_ratio")]
+#[doc(alias = "rotor_inertia")]
 pub enum armature {}
 
 /// `damping` of a damper.
@@ -12,6 +18,10 @@ pub enum armature {}
 /// Unit: N s/m for translations, N m s/rad for rotations. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `Model::damping`, `default_damping`.
+#[doc(alias = "Model::damping")]
+#[doc(alias = "default_damping")]
 pub enum damping {}
 
 /// `force` of a motor: constant, or the keyword `input`.
@@ -19,6 +29,12 @@ pub enum damping {}
 /// Unit: N. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `AddJointActuator`, `actuator/motor`, `qfrc_applied`, `tau`.
+#[doc(alias = "AddJointActuator")]
+#[doc(alias = "actuator/motor")]
+#[doc(alias = "qfrc_applied")]
+#[doc(alias = "tau")]
 pub enum force {}
 
 /// `friction`: dry friction at speed.
@@ -26,6 +42,11 @@ pub enum force {}
 /// Unit: N for translations, N m for rotations. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `DoorHinge`, `Model::friction`, `frictionloss`.
+#[doc(alias = "DoorHinge")]
+#[doc(alias = "Model::friction")]
+#[doc(alias = "frictionloss")]
 pub enum friction {}
 
 /// `friction_speed`: the speed that smooths friction.
@@ -54,6 +75,14 @@ pub enum limit_stiffness {}
 /// Unit: m for translations, rad for rotations. Default: none.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `lowerPositionLimit`, `position_lower_limits`, `position_upper_limits`,
+/// `range`, `upperPositionLimit`.
+#[doc(alias = "lowerPositionLimit")]
+#[doc(alias = "position_lower_limits")]
+#[doc(alias = "position_upper_limits")]
+#[doc(alias = "range")]
+#[doc(alias = "upperPositionLimit")]
 pub enum limits {}
 
 /// `motion`: the motion of the whole hinge is prescribed at each step.
@@ -61,6 +90,9 @@ pub enum limits {}
 ///  Default: the hinge moves freely.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `Joint::Lock`.
+#[doc(alias = "Joint::Lock")]
 pub enum motion {}
 
 /// `rest`: coordinates at which springs are unloaded.
@@ -68,6 +100,11 @@ pub enum motion {}
 /// Unit: m for translations, rad for rotations. Default: zero position.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `nominal_angle`, `nominal_position`, `springref`.
+#[doc(alias = "nominal_angle")]
+#[doc(alias = "nominal_position")]
+#[doc(alias = "springref")]
 pub enum rest {}
 
 /// `start`: initial coordinates.
@@ -75,6 +112,10 @@ pub enum rest {}
 /// Unit: m for translations, rad for rotations. Default: zero position.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `keyframe`, `set_default_positions`.
+#[doc(alias = "keyframe")]
+#[doc(alias = "set_default_positions")]
 pub enum start {}
 
 /// `start_rate`: initial rates.
@@ -96,6 +137,10 @@ pub enum start_velocity {}
 /// Unit: N/m for translations, N m/rad for rotations. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `PrismaticSpring`, `RevoluteSpring`.
+#[doc(alias = "PrismaticSpring")]
+#[doc(alias = "RevoluteSpring")]
 pub enum stiffness {}
 
 /// `torque` of a motor: constant, or the keyword `input`.
@@ -103,6 +148,12 @@ pub enum stiffness {}
 /// Unit: N m. Default: 0.
 ///
 /// See [hinges](crate::mstmm_chain#hinges).
+///
+/// Other tools: `AddJointActuator`, `actuator/motor`, `qfrc_applied`, `tau`.
+#[doc(alias = "AddJointActuator")]
+#[doc(alias = "actuator/motor")]
+#[doc(alias = "qfrc_applied")]
+#[doc(alias = "tau")]
 pub enum torque {}
 
 /// `turning_armature`: the field `armature` of the rotations.

@@ -31,6 +31,7 @@ use crate::{ChainState, Energy, Error, GeneratedChain, SpringResult};
 )]
 pub trait Described: GeneratedChain<Inputs: Clone + Default> {
     /// The description.
+    #[doc(alias("mj_id2name", "Model::names", "GetStateNames", "introspection"))]
     const DESCRIPTION: &'static Description;
 
     /// Returns inputs with these values, in the order of [`Description::inputs`]; `None` if their number is another.
@@ -168,6 +169,8 @@ pub trait Described: GeneratedChain<Inputs: Clone + Default> {
 
     /// Returns mass, centre of mass and inertia tensor of a body with the parameters as they are set, by its index in
     /// [`Description::bodies`]. `None` if there is no such body.
+    #[doc(alias("body_mass", "body_ipos", "body_inertia", "Model::inertias"))]
+    #[doc(alias("CalcSpatialInertiaInBodyFrame"))]
     fn inertia(&self, body: usize) -> Option<BodyInertia<Self::Scalar>> {
         let at = Self::DESCRIPTION.bodies.entry(body, |_| 1)?;
         let mut written = at.row.inertia().of_scalar(at.number, at.repetition);

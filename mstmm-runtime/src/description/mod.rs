@@ -150,12 +150,14 @@ impl Description {
     }
 
     /// Returns the coordinates, in the order of [`ChainState::coordinates`](crate::ChainState::coordinates).
+    #[doc(alias("GetPositionNames", "GetStateNames"))]
     #[must_use]
     pub const fn coordinates(&self) -> Quantities {
         Quantities::coordinates(self.hinges)
     }
 
     /// Returns the rates, in the order of [`ChainState::rates`](crate::ChainState::rates).
+    #[doc(alias("GetVelocityNames", "GetStateNames"))]
     #[must_use]
     pub const fn rates(&self) -> Quantities {
         Quantities::rates(self.hinges)
@@ -175,6 +177,7 @@ impl Description {
     }
 
     /// Returns the inputs.
+    #[doc(alias("GetActuatorNames"))]
     #[must_use]
     pub const fn inputs(&self) -> Quantities {
         Quantities::inputs(self.inputs)
@@ -239,12 +242,14 @@ impl Description {
     }
 
     /// Returns the index of a hinge, such as `joint[12]`.
+    #[doc(alias("GetJointByName", "getJointId", "mj_name2id"))]
     #[must_use]
     pub fn hinge(&self, name: &str) -> Option<usize> {
         self.hinges().index(name)
     }
 
     /// Returns the index of a body, such as `rod[12]`.
+    #[doc(alias("GetBodyByName", "getBodyId", "mj_name2id"))]
     #[must_use]
     pub fn body(&self, name: &str) -> Option<usize> {
         self.bodies().index(name)
@@ -257,6 +262,7 @@ impl Description {
     }
 
     /// Returns the index of a connection point, such as `rod[12].input`.
+    #[doc(alias("GetFrameByName", "getFrameId", "mj_name2id"))]
     #[must_use]
     pub fn point(&self, name: &str) -> Option<usize> {
         self.points().index(name)

@@ -20,6 +20,8 @@ pub struct Quantity {
     /// `None` for accelerations and efforts, and if it is computed from Rust constants by a root, a sine or a cosine.
     pub start: Option<f64>,
     /// The lowest and the highest coordinate where the hinge has `limits`, with default parameters.
+    #[doc(alias("jnt_range", "GetPositionLowerLimits", "GetPositionUpperLimits"))]
+    #[doc(alias("lowerPositionLimit", "upperPositionLimit"))]
     pub limits: Option<[f64; 2]>,
     /// The index of its hinge, for coordinates, rates, accelerations and efforts.
     pub hinge: Option<usize>,

@@ -25,12 +25,14 @@ impl<T: Scalar> BallState<T> {
     ///
     /// With nalgebra's feature `std`, its `euler_angles()` are the Bryan angles θ₁, θ₂, θ₃ of `[P, Eq. (1)]`, which are
     /// also roll, pitch and yaw. They are not unique at θ₂ = ±90°.
+    #[doc(alias("ballquat"))]
     #[inline]
     pub fn orientation(&self) -> UnitQuaternion<T> {
         to_unit_quaternion(self.orientation)
     }
 
     /// Returns the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components.
+    #[doc(alias("ballangvel"))]
     #[inline]
     pub fn rate(&self) -> Vector3<T> {
         Vector3::from(self.rate)

@@ -100,6 +100,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
 
     /// Sets the position of the outboard origin in m, along inboard axes, from the inboard
     /// origin.
+    #[doc(alias("SetFreeBodyPose", "free body pose"))]
     #[inline]
     pub fn set_position(&mut self, position: Vector3<T>) -> &mut Self {
         store(&mut self.position, position.into());
@@ -118,6 +119,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
     /// The type guarantees unit length, so the components are stored unchanged. A quaternion made by `new_unchecked` is
     /// checked when the state is used, see
     /// [`Error::InvalidQuaternion`]; [`set_quaternion`](Self::set_quaternion) checks at once.
+    #[doc(alias("SetFreeBodyPose"))]
     #[inline]
     pub fn set_orientation(&mut self, orientation: UnitQuaternion<T>) -> &mut Self {
         store(&mut self.orientation, to_array(orientation));
@@ -145,6 +147,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
     }
 
     /// Sets the rate of the position in m/s, along inboard axes.
+    #[doc(alias("SetFreeBodySpatialVelocity"))]
     #[inline]
     pub fn set_velocity(&mut self, velocity: Vector3<T>) -> &mut Self {
         store(&mut self.velocity, velocity.into());
@@ -152,6 +155,7 @@ impl<'a, T: Scalar> FloatingStateMut<'a, T> {
     }
 
     /// Sets the angular velocity of the outboard relative to the inboard frame in rad/s, in outboard components.
+    #[doc(alias("SetFreeBodySpatialVelocity"))]
     #[inline]
     pub fn set_rate(&mut self, rate: Vector3<T>) -> &mut Self {
         store(&mut self.rate, rate.into());

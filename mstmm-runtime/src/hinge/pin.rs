@@ -18,12 +18,14 @@ impl<T: Copy> PinState<T> {
     /// Returns the angle in rad from the inboard to the outboard frame, right-handed about the axis.
     ///
     /// It is not wrapped.
+    #[doc(alias("jointpos", "get_angle"))]
     #[inline]
     pub fn angle(&self) -> T {
         self.angle
     }
 
     /// Returns the rate of the angle in rad/s.
+    #[doc(alias("jointvel", "get_angular_rate"))]
     #[inline]
     pub fn rate(&self) -> T {
         self.rate

@@ -49,7 +49,7 @@ impl<M: BodyMotion, const N: usize, C: Copy, W> BodyKinematics<M, N, C, W> {
     /// Returns the centre of mass, with axes along those of the body.
     ///
     /// In a line chain it exists only if the description of the body has a `com`.
-    #[doc(alias("centre of mass", "center of mass", "CoM", "mj_jacBodyCom"))]
+    #[doc(alias("centre of mass", "center of mass", "CoM", "xipos", "mj_jacBodyCom"))]
     #[inline]
     pub fn com(&self) -> PointKinematics<M, N, C>
     where
@@ -59,7 +59,8 @@ impl<M: BodyMotion, const N: usize, C: Copy, W> BodyKinematics<M, N, C, W> {
     }
 
     /// Returns the point at `place`, in m from the input in the body frame, with axes along those of the body.
-    #[doc(alias("mj_jac", "getFrameJacobian", "CalcPointsVelocities"))]
+    #[doc(alias("mj_jac", "mj_local2Global", "getFrameJacobian", "CalcPointsVelocities"))]
+    #[doc(alias("CalcPointsPositions"))]
     #[inline]
     pub fn at(&self, place: M::Vector) -> PointKinematics<M, N, C> {
         let (_, rotation) = M::input();

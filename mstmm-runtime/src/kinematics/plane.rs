@@ -141,7 +141,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<PlaneMotion<'_, T>, N, C> {
 
     /// Returns Jᵀ times a force in N at the point, inertial frame, and a moment in N·m: the efforts along all rates
     /// that have the same power. Without the matrix.
-    #[doc(alias("external force", "static forces"))]
+    #[doc(alias("mj_applyFT", "external force", "static forces"))]
     #[inline]
     pub fn jacobian_transpose_times(&self, force: Vector2<T>, moment: T) -> SVector<T, N>
     where

@@ -68,6 +68,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     /// Returns the position r in m from the inertial origin.
     #[doc(alias("framePlacement", "CalcPointsPositions", "site_xpos", "xpos"))]
     #[doc(alias("CalcPoseInWorld", "EvalBodyPoseInWorld"))]
+    #[doc(alias("oMf", "oMi", "framepos", "mj_local2Global"))]
     #[inline]
     pub fn position(&self) -> Vector3<T> {
         Vector3::from(self.position_array())
@@ -78,6 +79,8 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     /// The frames of an output and of a named point are those of the description. All other points have the frame of the
     /// body.
     #[doc(alias("site_xmat", "xmat"))]
+    #[doc(alias("oMf", "oMi", "xquat", "framequat", "framexaxis"))]
+    #[doc(alias("CalcRelativeTransform", "CalcRelativeRotationMatrix"))]
     #[inline]
     pub fn orientation(&self) -> Rotation3<T> {
         let turned = self.rotation;
@@ -91,6 +94,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
 
     /// Returns the velocity ṙ in m/s.
     #[doc(alias("getFrameVelocity", "CalcSpatialVelocity", "mj_objectVelocity"))]
+    #[doc(alias("EvalBodySpatialVelocityInWorld", "cvel", "framelinvel"))]
     #[inline]
     pub fn velocity(&self) -> Vector3<T> {
         let relative = cross(self.motion.omega(), self.arm());
@@ -98,6 +102,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     }
 
     /// Returns the angular velocity Ω of the body in rad/s.
+    #[doc(alias("CalcSpatialVelocity", "cvel", "frameangvel"))]
     #[inline]
     pub fn angular_velocity(&self) -> Vector3<T> {
         Vector3::from(self.motion.omega())
@@ -135,6 +140,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
         "getFrameJacobian",
         "computeFrameJacobian",
         "computeJointJacobian",
+        "getJointJacobian",
         "CalcJacobianSpatialVelocity",
         "mj_jac",
         "mj_jacBody",
@@ -171,6 +177,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     }
 
     /// Returns J x, the velocity ṙ, then the angular velocity Ω, that the rates x cause; without the matrix.
+    #[doc(alias("mj_mulJacVec", "Jacobian-vector product"))]
     #[inline]
     pub fn jacobian_times(&self, rates: &SVector<T, N>) -> Vector6<T>
     where
@@ -184,6 +191,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     /// Returns Jᵀ times a force in N at the point and a moment in N·m, inertial frame: the efforts along all rates
     /// that have the same power. Without the matrix.
     #[doc(alias("mj_applyFT", "external force", "static forces"))]
+    #[doc(alias("mj_mulJacTVec", "CalcGeneralizedForces", "Jacobian transpose"))]
     #[inline]
     pub fn jacobian_transpose_times(&self, force: Vector3<T>, moment: Vector3<T>) -> SVector<T, N>
     where
@@ -216,6 +224,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     /// The linear part of a spatial acceleration is r̈ − Ω × ṙ instead.
     #[doc(alias("getFrameClassicalAcceleration", "getFrameAcceleration", "mj_objectAcceleration"))]
     #[doc(alias("CalcSpatialAccelerationsFromVdot"))]
+    #[doc(alias("EvalBodySpatialAccelerationInWorld", "cacc", "framelinacc"))]
     #[inline]
     pub fn acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T>
     where
@@ -226,6 +235,7 @@ impl<T: Scalar, const N: usize, C> PointKinematics<SpaceMotion<'_, T>, N, C> {
     }
 
     /// Returns the angular acceleration Ω̇ in rad/s² for given accelerations v̇ of the free rates.
+    #[doc(alias("cacc", "frameangacc"))]
     #[inline]
     pub fn angular_acceleration(&self, accelerations: &SVector<T, N>) -> Vector3<T>
     where

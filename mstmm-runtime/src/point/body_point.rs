@@ -75,6 +75,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     }
 
     /// Returns the position r = r_I + A r′ in m from the inertial origin.
+    #[doc(alias("site_xpos", "framepos"))]
     #[inline]
     pub fn position(&self) -> Vector3<T>
     where
@@ -85,6 +86,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
 
     /// Returns the rotation A that takes components in the frame of the point to inertial components. A centre of mass has the
     /// axes of the body, a named point those of its `turned …`.
+    #[doc(alias("site_xmat", "framequat", "framexaxis"))]
     #[inline]
     pub fn orientation(&self) -> Rotation3<T>
     where
@@ -94,6 +96,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     }
 
     /// Returns the velocity ṙ = ṙ_I + Ω × A r′ in m/s.
+    #[doc(alias("framelinvel"))]
     #[inline]
     pub fn velocity(&self) -> Vector3<T>
     where
@@ -103,6 +106,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     }
 
     /// Returns the body's angular velocity Ω in rad/s.
+    #[doc(alias("frameangvel"))]
     #[inline]
     pub fn angular_velocity(&self) -> Vector3<T>
     where
@@ -112,6 +116,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     }
 
     /// Returns the acceleration r̈ = r̈_I + Ω̇ × A r′ + Ω × (Ω × A r′) in m/s²: the second time derivative of the position.
+    #[doc(alias("framelinacc", "CalcCenterOfMassTranslationalAccelerationInWorld"))]
     #[inline]
     pub fn acceleration(&self) -> Vector3<T>
     where
@@ -121,6 +126,7 @@ impl<T: Scalar, R> BodyPoint<Point<T, R>> {
     }
 
     /// Returns the body's angular acceleration Ω̇ in rad/s².
+    #[doc(alias("frameangacc"))]
     #[inline]
     pub fn angular_acceleration(&self) -> Vector3<T>
     where

@@ -113,6 +113,7 @@ impl<T: Scalar> Point<T> {
 
 impl<T: Scalar, R> Point<T, R> {
     /// Returns the position r in m from the inertial origin, inertial frame.
+    #[doc(alias("oMf", "oMi", "xpos", "site_xpos", "framepos"))]
     #[inline]
     pub fn position(&self) -> Vector3<T>
     where
@@ -122,6 +123,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 
     /// Returns the rotation A that takes components in the point's frame to inertial components.
+    #[doc(alias("oMf", "oMi", "xmat", "xquat", "site_xmat", "framequat"))]
     #[inline]
     pub fn orientation(&self) -> Rotation3<T>
     where
@@ -132,6 +134,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 
     /// Returns the velocity ṙ in m/s, inertial frame.
+    #[doc(alias("getFrameVelocity", "cvel", "framelinvel", "mj_objectVelocity"))]
     #[inline]
     pub fn velocity(&self) -> Vector3<T>
     where
@@ -141,6 +144,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 
     /// Returns the angular velocity Ω of the frame at the point in rad/s, inertial frame.
+    #[doc(alias("cvel", "frameangvel"))]
     #[inline]
     pub fn angular_velocity(&self) -> Vector3<T>
     where
@@ -162,6 +166,7 @@ impl<T: Scalar, R> Point<T, R> {
     ///
     /// The linear part of a spatial acceleration is r̈ − Ω × ṙ instead.
     #[doc(alias("getFrameClassicalAcceleration", "getFrameAcceleration", "mj_objectAcceleration"))]
+    #[doc(alias("EvalBodySpatialAccelerationInWorld", "cacc", "framelinacc"))]
     #[inline]
     pub fn acceleration(&self) -> Vector3<T>
     where
@@ -171,6 +176,7 @@ impl<T: Scalar, R> Point<T, R> {
     }
 
     /// Returns the angular acceleration Ω̇ in rad/s², inertial frame.
+    #[doc(alias("cacc", "frameangacc"))]
     #[inline]
     pub fn angular_acceleration(&self) -> Vector3<T>
     where

@@ -46,7 +46,7 @@ pub(super) fn matrix(cx: &EmitContext) -> TokenStream {
     let (checked, errors) = (quaternions::checked(cx), quaternions::error(cx));
     let times = column_products::name(Answer::ClosureJacobianTimes);
     quote! {
-        #[doc(alias("constraint Jacobian", "getConstraintJacobian", "efc_J", "loop closure", "KKT", "Lagrange multiplier"))]
+        #[doc(alias("constraint Jacobian", "getConstraintJacobian", "getConstraintsJacobian", "efc_J", "loop closure", "KKT", "Lagrange multiplier"))]
         /// Computes the constraint Jacobian `G` of the closed chain: `G v` is the velocity of the outboard side of the
         /// closing hinge relative to its inboard side, if the hinge is opened, less that of the hinge itself. It has one
         /// row for each direction, linear then angular, in the axes of the outboard frame of the hinge, and one column for

@@ -26,7 +26,7 @@ pub(super) fn kinematics(cx: &EmitContext) -> MethodTemplate {
         docs: [
             quote! {
                 #[doc(alias(
-                    "forward kinematics", "forwardKinematics", "computeJointJacobians", "mj_kinematics",
+                    "forward kinematics", "forwardKinematics", "framesForwardKinematics", "computeJointJacobians", "mj_kinematics",
                     "CalcJacobianSpatialVelocity", "computeJointJacobiansTimeVariation"
                 ))]
                 /// Computes position, orientation, velocity and bias acceleration (the acceleration at `v̇ = 0`) of all

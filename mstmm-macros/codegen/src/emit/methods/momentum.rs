@@ -54,7 +54,7 @@ pub(super) fn momentum_matrix(cx: &EmitContext) -> MethodTemplate {
         name: quote!(#visibility fn momentum_matrix_into),
         docs: [
             quote! {
-                #[doc(alias("centroidal momentum matrix", "CMM", "computeCentroidalMap", "ccrba", "jacobianCenterOfMass", "mj_jacSubtreeCom", "CalcJacobianCenterOfMassTranslationalVelocity"))]
+                #[doc(alias("centroidal momentum matrix", "CMM", "computeCentroidalMap", "ccrba", "jacobianCenterOfMass", "getJacobianComFromCrba", "mj_jacSubtreeCom", "CalcJacobianCenterOfMassTranslationalVelocity"))]
                 /// Computes the matrix that maps the rates `v` to linear momentum and angular momentum about the centre
                 /// of mass, in kg m/s and kg m²/s, in inertial axes. It has one row for each direction, linear then
                 /// angular, and one column for each rate, in the order of `v` of the state. The linear rows divided by

@@ -1,5 +1,6 @@
 //! The pages of the words of `answers` (`src/keywords/answers.rs`): the text of the reference, and the names in
-//! `src/terms.md` as aliases, so that a search of the documentation finds an answer by the name that other tools use.
+//! `src/terms.md` as aliases, so that a search of the documentation finds an answer by the name that other tools use. The
+//! pages of the fields of hinges have such aliases, too.
 
 use super::keywords::{Reference, linked, root};
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,6 +10,10 @@ use std::fs;
 /// The tables of functions in `src/terms.md`: names of this library are in the first column here, in the last one below.
 const FUNCTIONS: &str = "| here | MuJoCo | Drake | Pinocchio |";
 const TEXTBOOKS: &str = "| textbooks | here |";
+
+/// The tables of hinges and of the model, and the table of fields of hinges.
+const MODELS: &str = "| here | URDF | MuJoCo | Drake | Pinocchio | Modelica |";
+const FIELDS: &str = "| here | URDF | MuJoCo | Drake | Pinocchio | Modelica, at the axis flange |";
 
 /// The page of a word.
 struct Page {
@@ -34,10 +39,10 @@ impl Page {
     }
 }
 
-/// Returns the identifiers in backticks, without arguments.
+/// Returns the identifiers in backticks, without arguments. The elements of MuJoCo's models have a slash.
 fn names(cell: &str) -> impl Iterator<Item = &str> {
     let identifier = |name: &&str| {
-        name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_' || letter == ':')
+        name.chars().all(|letter| letter.is_ascii_alphanumeric() || "_:/".contains(letter))
     };
     let code = cell.split('`').skip(1).step_by(2);
     code.map(|code| code.split('(').next().unwrap_or(code)).filter(identifier)
@@ -77,18 +82,36 @@ fn pages() -> Vec<Page> {
     pages
 }
 
-/// Returns the names of this library in each row of the tables, with the names of others.
+/// Returns the first cell of each row of the tables that begin with `head`, with the names that MuJoCo, Drake and
+/// Pinocchio have.
+fn of_tools(terms: &Reference, head: &str) -> Vec<(String, Vec<String>)> {
+    let columns = if head == FUNCTIONS { 1..4 } else { 2..5 };
+    let rows = terms.rows(head).into_iter().map(|row| {
+        let cells = row[columns.clone()].iter();
+        (row[0].to_owned(), cells.flat_map(|cell| names(cell).map(str::to_owned)).collect())
+    });
+    rows.collect()
+}
+
+/// Returns the names that other tools have for a field of `hinge` blocks, with a field's own name omitted.
+pub(super) fn of_hinge_field(field: &str) -> BTreeSet<String> {
+    let terms = Reference(read("terms.md"));
+    let rows = of_tools(&terms, FIELDS).into_iter().filter(|(here, _)| {
+        let here = here.replace(" = input", "");
+        names(&here).any(|name| name == field)
+    });
+    rows.flat_map(|(_, others)| others).filter(|name| name != field).collect()
+}
+
+/// Returns the names of this library in each row of the tables of functions, with the names of others.
 fn named() -> Vec<(String, Vec<String>)> {
     let terms = Reference(read("terms.md"));
-    let of_tools = terms.rows(FUNCTIONS).into_iter().map(|row| {
-        let others = row[1..].iter().flat_map(|cell| names(cell).map(str::to_owned)).collect();
-        (row[0].to_owned(), others)
-    });
+    let of_tools = of_tools(&terms, FUNCTIONS);
     let of_textbooks = terms
         .rows(TEXTBOOKS)
         .into_iter()
         .map(|row| (row[1].to_owned(), row[0].split(", ").map(str::to_owned).collect()));
-    of_tools.chain(of_textbooks).collect()
+    of_tools.into_iter().chain(of_textbooks).collect()
 }
 
 /// Returns the words in alphabetical order, and the text of the module.
@@ -119,7 +142,8 @@ pub(super) fn module() -> (Vec<String>, String) {
     (pages.into_iter().map(|page| page.word).collect(), text)
 }
 
-/// The documentation of the facade finds every name in the tables of functions.
+/// The documentation of the facade finds every name in the tables: by an alias, or as the name of a keyword or a module.
+/// The search ignores case.
 #[test]
 fn names_of_other_tools_are_aliases() {
     let sources = ["src", "mstmm-runtime/src"].map(|folder| root().join(folder));
@@ -137,13 +161,19 @@ fn names_of_other_tools_are_aliases() {
                     let end = rest.find(")]").expect("the end of an attribute");
                     rest[..end].split('"').skip(1).step_by(2)
                 });
-                aliases.extend(quoted.map(str::to_owned));
+                aliases.extend(quoted.map(str::to_lowercase));
+                let items = ["pub mod ", "pub enum "].map(|item| text.split(item).skip(1));
+                let items =
+                    items.into_iter().flatten().filter_map(|rest| rest.split([' ', ';']).next());
+                aliases.extend(items.map(str::to_lowercase));
             }
         }
     }
     let mut missing = BTreeMap::new();
-    for (here, others) in named() {
-        let others = others.into_iter().filter(|name| !aliases.contains(name));
+    let terms = Reference(read("terms.md"));
+    let models = [MODELS, FIELDS].into_iter().flat_map(|head| of_tools(&terms, head));
+    for (here, others) in named().into_iter().chain(models) {
+        let others = others.into_iter().filter(|name| !aliases.contains(&name.to_lowercase()));
         missing.extend(others.map(|name| (name, here.clone())));
     }
     assert!(missing.is_empty(), "names without `doc(alias)`: {missing:#?}");

@@ -244,11 +244,28 @@ fn wrapped(paragraph: &str, text: &mut String) {
     text.push('\n');
 }
 
+/// Adds the names that other tools have for a field of hinges: a paragraph, and an alias for each.
+fn other_names(field: &str, text: &mut String) {
+    let others = super::answer_pages::of_hinge_field(field);
+    if others.is_empty() {
+        return;
+    }
+    let listed: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
+    text.push_str("///\n");
+    wrapped(&format!("Other tools: {}.", listed.join(", ")), text);
+    for other in others {
+        writeln!(text, "#[doc(alias = {other:?})]").expect("a text");
+    }
+}
+
 /// The module of a group.
 fn module(group: KeywordGroup, docs: &Docs) -> String {
     let mut text = String::from(
         "// Written by the test `keywords` of `mstmm-codegen` from `src/language.md`: change the tables there.\n",
     );
+    if group == KeywordGroup::Hinge {
+        text.push_str("// Names of other tools are from `src/terms.md`.\n");
+    }
     for (name, paragraphs) in docs {
         let paragraphs = paragraphs.iter().filter(|paragraph| !paragraph.is_empty());
         let paragraphs: Vec<String> = paragraphs.map(|paragraph| linked(paragraph)).collect();
@@ -258,6 +275,9 @@ fn module(group: KeywordGroup, docs: &Docs) -> String {
                 text.push_str("///\n");
             }
             wrapped(paragraph, &mut text);
+        }
+        if group == KeywordGroup::Hinge {
+            other_names(name, &mut text);
         }
         // `mN.html` and `MN.html` would be one file where names ignore case.
         let is_plain = name == "kg" || UNITS.iter().any(|(symbol, ..)| symbol == name);
