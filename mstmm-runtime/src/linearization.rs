@@ -134,7 +134,7 @@ impl<T: Scalar, const N: usize, const N2: usize, const U: usize, const P: usize>
 
     /// Writes what the discrete model of a step needs.
     #[doc(hidden)]
-    pub fn write_to(&self, at: &mut crate::linear::Linearization<T, N, U>) {
+    pub fn write_to(&self, at: &mut crate::linear::ContinuousModel<T, N, U>) {
         at.accelerations = self.accelerations;
         at.by_coordinates = self.by_coordinates;
         at.by_rates = self.by_rates;

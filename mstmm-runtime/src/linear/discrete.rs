@@ -34,20 +34,20 @@ pub trait Linearize<const N: usize, const U: usize>: Chain {
         &self,
         state: &Self::State,
         inputs: &Self::Inputs,
-        at: &mut Linearization<Self::Scalar, N, U>,
+        at: &mut ContinuousModel<Self::Scalar, N, U>,
     ) -> Result<(), Error>;
 }
 
-/// The accelerations of a chain with `N` rates and `U` inputs, and their derivatives, as [`discretize`] needs them.
+/// The linear model in continuous time of a chain with `N` rates and `U` inputs, from which [`discretize`] makes a
+/// [`DiscreteModel`].
 ///
-/// `linearize` of a generated chain returns [`mstmm::Linearization`](crate::Linearization) instead, which also has M⁻¹ and
-/// the derivatives with respect to parameters.
+/// It has what [`Linearization`](crate::Linearization) has, without M⁻¹ and the derivatives with respect to parameters.
 ///
-/// The linear model in continuous time is δ̇ = `tangent_rate` δ + dv, dv̇ = `by_coordinates` δ + `by_rates` dv +
+/// The model is δ̇ = `tangent_rate` δ + dv, dv̇ = `by_coordinates` δ + `by_rates` dv +
 /// `by_inputs` u. δ is a small motion of the coordinates along the rates, dq = N(q) δ with the N(q) of q̇ = N(q) v. For a
 /// pin it is a small angle, for a ball a small rotation in outboard axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Linearization<T, const N: usize, const U: usize> {
+pub struct ContinuousModel<T, const N: usize, const U: usize> {
     /// v̇.
     pub accelerations: SVector<T, N>,
     /// ∂v̇/∂q along the rates, in rad/s² or m/s² per rad or m.
@@ -63,7 +63,7 @@ pub struct Linearization<T, const N: usize, const U: usize> {
     pub tangent_rate: SMatrix<T, N, N>,
 }
 
-impl<T: Scalar, const N: usize, const U: usize> Linearization<T, N, U> {
+impl<T: Scalar, const N: usize, const U: usize> ContinuousModel<T, N, U> {
     /// Returns A of ẋ = A x + B u with x = (δ, dv). `X` is 2 N; otherwise the program does not compile.
     #[doc(alias("state matrix", "system matrix"))]
     pub fn a<const X: usize>(&self) -> SMatrix<T, X, X> {
@@ -82,7 +82,7 @@ impl<T: Scalar, const N: usize, const U: usize> Linearization<T, N, U> {
     }
 }
 
-impl<T: Scalar, const N: usize, const U: usize> Default for Linearization<T, N, U> {
+impl<T: Scalar, const N: usize, const U: usize> Default for ContinuousModel<T, N, U> {
     fn default() -> Self {
         Self {
             accelerations: [[T::constant(0.0); N]].into(),
@@ -206,7 +206,7 @@ impl<T: Scalar, const N: usize, const U: usize> DiscreteModel<T, N, U> {
     }
 
     /// Returns the time derivative of the deviations of this model: δ̇ and dv̇ at a stage.
-    fn rate(&self, at: &Linearization<T, N, U>) -> Self {
+    fn rate(&self, at: &ContinuousModel<T, N, U>) -> Self {
         let mut rate = Self { coordinates: self.rates, rates: Sensitivity::zero() };
         // Without quaternions and elastic hinges this is zero.
         let zero = T::constant(0.0);
@@ -251,7 +251,7 @@ pub fn discretize<C: Linearize<N, U>, const N: usize, const U: usize>(
     let unit = DiscreteModel::unit();
     let (mut model, mut sum) = (unit, DiscreteModel::zero());
     let (mut stage, mut rate) = (state.clone(), C::State::zero_position());
-    let mut at = Linearization::default();
+    let mut at = ContinuousModel::default();
     // As in `Rk4`: for each stage its time, its weight in the mean of the rates in sixths, and the factor of its rate in
     // the next stage.
     for (time, weight, onward) in [

@@ -26,7 +26,7 @@
 //! A cart with a pole is balanced by a controller that samples at 50 Hz. [`Linearize`] is implemented here by hand.
 //!
 //! ```
-//! use mstmm_runtime::linear::{Linearization, Linearize, discretize, lqr};
+//! use mstmm_runtime::linear::{ContinuousModel, Linearize, discretize, lqr};
 //! use mstmm_runtime::nalgebra::{Matrix1, Matrix2, Matrix4, Vector2, Vector4};
 //! use mstmm_runtime::{Chain, ChainState, Error, Rk4, Scalar};
 //!
@@ -73,7 +73,7 @@
 //!         &self,
 //!         _: &State,
 //!         force: &f64,
-//!         at: &mut Linearization<f64, 2, 1>,
+//!         at: &mut ContinuousModel<f64, 2, 1>,
 //!     ) -> Result<(), Error> {
 //!         at.accelerations = Vector2::new(*force, -2.0 * force);
 //!         at.by_coordinates = Matrix2::new(0.0, -0.981, 0.0, 2.0 * (9.81 + 0.981));
@@ -107,7 +107,7 @@ mod product;
 mod regulator;
 mod solve;
 
-pub use discrete::{DiscreteModel, Linearization, Linearize, Sensitivity, discretize};
+pub use discrete::{ContinuousModel, DiscreteModel, Linearize, Sensitivity, discretize};
 pub use null_space::null_space;
 pub use product::{negative_product, negative_product_of_rows};
 pub use regulator::{Lqr, lqr};

@@ -2,7 +2,7 @@
 
 use crate::common::{Pendulum, Spring, State, Top};
 use mstmm_runtime::description::Origin;
-use mstmm_runtime::linear::{DiscreteModel, Linearization, Linearize, discretize};
+use mstmm_runtime::linear::{ContinuousModel, DiscreteModel, Linearize, discretize};
 use mstmm_runtime::nalgebra::{Matrix2, Matrix3, SMatrix, Vector1, Vector2, Vector3, Vector4};
 use mstmm_runtime::{Chain, Dual, Error, Rk4, Scalar};
 use std::marker::PhantomData;
@@ -12,7 +12,7 @@ impl<T: Scalar> Linearize<1, 1> for Spring<T> {
         &self,
         state: &Self::State,
         inputs: &T,
-        at: &mut Linearization<T, 1, 1>,
+        at: &mut ContinuousModel<T, 1, 1>,
     ) -> Result<(), Error> {
         let mut rate = Self::State::default();
         self.derivative_into(state, inputs, &mut rate)?;
@@ -31,7 +31,7 @@ impl Linearize<1, 1> for Pendulum<f64> {
         &self,
         state: &Self::State,
         inputs: &f64,
-        at: &mut Linearization<f64, 1, 1>,
+        at: &mut ContinuousModel<f64, 1, 1>,
     ) -> Result<(), Error> {
         let mut rate = Self::State::default();
         self.derivative_into(state, inputs, &mut rate)?;
@@ -93,7 +93,7 @@ impl Linearize<2, 2> for CartPole<f64> {
         &self,
         state: &Self::State,
         inputs: &[f64; 2],
-        at: &mut Linearization<f64, 2, 2>,
+        at: &mut ContinuousModel<f64, 2, 2>,
     ) -> Result<(), Error> {
         let (state, inputs) = six_variables(state, inputs);
         let mut rate = State::default();
@@ -124,7 +124,7 @@ fn a_linear_system_has_the_series_of_its_exponential() -> Result<(), Error> {
         near((model.a() - series(4)).abs().max());
         near((model.b() - integral * Vector2::new(0.0, h)).abs().max());
         // The model in continuous time.
-        let mut at = Linearization::default();
+        let mut at = ContinuousModel::default();
         chain.linearize_into(&Spring::at(0.3, -0.8), &0.7, &mut at)?;
         assert_eq!((at.a() * h, at.b()), (a, Vector2::new(0.0, 1.0)));
     }
@@ -196,7 +196,7 @@ impl Linearize<3, 0> for Top<f64> {
         &self,
         state: &Self::State,
         (): &(),
-        at: &mut Linearization<f64, 3, 0>,
+        at: &mut ContinuousModel<f64, 3, 0>,
     ) -> Result<(), Error> {
         let chain = Top { axial: Dual::from(self.axial), weight: Dual::from(self.weight) };
         let mut rate = State::default();

@@ -196,7 +196,7 @@ pub(super) fn linearize_trait(cx: &EmitContext) -> TokenStream {
                 &self,
                 state_: &#state<T>,
                 inputs_: &#inputs<T>,
-                at_: &mut #mstmm::linear::Linearization<T, #rates, #count>,
+                at_: &mut #mstmm::linear::ContinuousModel<T, #rates, #count>,
             ) -> #returns {
                 let mut linearization_ = <#linearization<T> as ::core::default::Default>::default();
                 #name::linearize_into(self, state_, inputs_, &mut linearization_)?;
