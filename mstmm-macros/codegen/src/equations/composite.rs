@@ -36,6 +36,7 @@ use super::{Axes, EvalContext, Trace};
 use crate::ids::LinkId;
 use crate::math::{Mat3, Motion, Scalar, SpatialInertia, Vec3, Wrench};
 use crate::model::Layout;
+use std::ops::Range;
 
 /// Everything outboard of a link's hinge as one body.
 #[derive(Clone, Copy, Debug)]
@@ -197,16 +198,26 @@ fn add_rotors<S: Scalar>(
     matrix: &mut DenseMatrix<S>,
 ) {
     let range = context.layout.v[hinge.id].clone();
-    for (k, column) in range.clone().enumerate() {
-        let unit: Vec<S> = unit_vector(range.len(), k);
-        let rotors = hinge.passives.rotor_efforts(&unit);
-        // One of each pair of symmetric entries, so that they are equal.
-        for (row, effort) in range.clone().zip(rotors).filter(|(row, _)| *row <= column) {
-            let sum = matrix.at(row, column) + effort;
-            matrix.set(row, column, sum);
-            matrix.set(column, row, sum);
-        }
+    let rotors = entries_of_product(range, |unit| hinge.passives.rotor_efforts(unit));
+    // One of each pair of symmetric entries, so that they are equal.
+    for (row, column, effort) in rotors.into_iter().filter(|(row, column, _)| row <= column) {
+        let sum = matrix.at(row, column) + effort;
+        matrix.set(row, column, sum);
+        matrix.set(column, row, sum);
     }
+}
+
+/// Returns row, column and value of all entries of a block on the diagonal of a matrix, from its product with a
+/// vector.
+pub(super) fn entries_of_product<S: Scalar>(
+    range: Range<usize>,
+    product: impl Fn(&[S]) -> Vec<S>,
+) -> Vec<(usize, usize, S)> {
+    let of_column = |k: usize| -> Vec<_> {
+        let column = product(&unit_vector(range.len(), k));
+        range.clone().zip(column).map(|(row, entry)| (row, range.start + k, entry)).collect()
+    };
+    (0..range.len()).flat_map(of_column).collect()
 }
 
 /// Carries a value from a link to the ground. `visit` sees it at the link and at every ancestor; `inward`

@@ -37,7 +37,7 @@
 
 use super::acceleration_field::{AccelerationField, EffortGradients, set_inboard_efforts};
 use super::base_parameters::base_kinematics;
-use super::composite::{composite_bodies, unit_vector};
+use super::composite::{composite_bodies, entries_of_product};
 use super::dense_matrix::DenseMatrix;
 use super::hinge::{combine, rotor_coriolis};
 use super::inverse_dynamics::{hinge_wrenches, with_efforts_of_hinges};
@@ -151,12 +151,9 @@ fn add_rotors<S: Scalar>(
     matrix: &mut DenseMatrix<S>,
 ) {
     let range = context.layout.v[hinge.id].clone();
-    for (k, column) in range.clone().enumerate() {
-        let unit = unit_vector(range.len(), k);
-        for (row, effort) in range.clone().zip(of_rotors(context, hinge, &unit)) {
-            let sum = matrix.at(row, column) + effort;
-            matrix.set(row, column, sum);
-        }
+    for (row, column, effort) in entries_of_product(range, |unit| of_rotors(context, hinge, unit)) {
+        let sum = matrix.at(row, column) + effort;
+        matrix.set(row, column, sum);
     }
 }
 

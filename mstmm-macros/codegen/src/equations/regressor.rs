@@ -178,13 +178,14 @@ fn unit_motions<S: Scalar>(
 }
 
 /// From a link's point in work axes to a body's input in body axes.
-struct ToBody<S> {
-    rotation: Mat3<S>,
-    arm: Vec3<S>,
+pub(super) struct ToBody<S> {
+    pub rotation: Mat3<S>,
+    /// From the link's point to the body's input, work axes.
+    pub arm: Vec3<S>,
 }
 
 impl<S: Scalar> ToBody<S> {
-    fn new(context: &EvalContext<S>, link: &LinkKinematics<S>, body: BodyId) -> Self {
+    pub fn new(context: &EvalContext<S>, link: &LinkKinematics<S>, body: BodyId) -> Self {
         let (origin, rotation) = context.frame(body);
         ToBody {
             rotation: (link.part_to_work * rotation).transposed(),
@@ -196,7 +197,8 @@ impl<S: Scalar> ToBody<S> {
         motion.shifted_to(self.arm).rotated(self.rotation)
     }
 
-    fn acceleration(&self, link: &LinkKinematics<S>, acceleration: Motion<S>) -> Motion<S> {
+    /// Returns the acceleration of the body's input from that of the link's point.
+    pub fn acceleration(&self, link: &LinkKinematics<S>, acceleration: Motion<S>) -> Motion<S> {
         let Motion { linear, angular } = acceleration.shifted_to(self.arm);
         let linear = linear + self.arm.centripetal_by_products(link.omega);
         Motion { linear, angular }.rotated(self.rotation)

@@ -11,7 +11,7 @@
 
 use super::inverse_dynamics::accelerations;
 use super::kinematics::{LinkKinematics, link_of};
-use super::regressor::of_element;
+use super::regressor::{ToBody, of_element};
 use super::sweep::{Flatten, PerLink};
 use super::{Axes, EvalContext, Trace, kinematics};
 use crate::math::{Mat3, Motion, Scalar, Vec3};
@@ -51,7 +51,6 @@ pub fn regressor_motions<S: Scalar>(
     let accelerations = accelerations(context, &links, context.base_acceleration(), trace);
     let poses = relative_poses(context, &links);
     let of_body = |body: BodyId| {
-        let (origin, own) = context.frame(body);
         let Some(index) = link_of(context.layout.parts[body]) else {
             // No rate moves a body on the ground.
             let (position, omega) = (Vec3::zero(), Vec3::zero());
@@ -59,15 +58,12 @@ pub fn regressor_motions<S: Scalar>(
             return GivenMotion { position, rotation: Mat3::identity(), omega, acceleration };
         };
         let (link, RelativePose { position, to_inertial }) = (&links[index], poses[index]);
-        let to_work = link.part_to_work * own;
-        let arm = link.part_to_work * (origin - link.point);
-        let Motion { linear, angular } = accelerations[index].shifted_to(arm);
-        let linear = linear + arm.centripetal_by_products(link.omega);
+        let to_body = ToBody::new(context, link, body);
         GivenMotion {
-            position: position + to_inertial * arm,
-            rotation: to_inertial * to_work,
-            omega: to_work.transposed() * link.omega,
-            acceleration: Motion { linear, angular }.rotated(to_work.transposed()),
+            position: position + to_inertial * to_body.arm,
+            rotation: to_inertial * to_body.rotation.transposed(),
+            omega: to_body.rotation * link.omega,
+            acceleration: to_body.acceleration(link, accelerations[index]),
         }
     };
     let mut columns = vec![Motion::zero(); context.layout.dof_count()];
