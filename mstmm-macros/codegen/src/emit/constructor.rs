@@ -3,7 +3,7 @@
 use super::EmitContext;
 use super::arrays::usize_literal;
 use super::closure;
-use super::const_expr::{is_const, value_tokens};
+use super::const_expr::{constant, constants, is_const, value_tokens};
 use super::docs;
 use super::methods;
 use super::names::helper;
@@ -21,6 +21,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     let mstmm = &cx.mstmm;
     let chain = chain_type(cx);
     let parameters = parameters::type_of_all(cx);
+    let constants = constants(cx);
     let constructors = constructors(cx);
     let derive = derive(cx);
     let rank = closure::emit(cx);
@@ -30,6 +31,7 @@ pub fn emit(cx: &EmitContext) -> TokenStream {
     quote! {
         #chain
         #parameters
+        #constants
         #[allow(dead_code, non_snake_case)]
         impl<T: #mstmm::Scalar> #name<T> {
             #constructors
@@ -123,7 +125,7 @@ fn derive(cx: &EmitContext) -> TokenStream {
     });
     let check_count = usize_literal(parameters::checked(cx).total);
     let parts = sealed::parts(cx).into_iter().map(|(part, _)| of_part(part).to_token_stream());
-    let constants = cx.passthrough.constants.iter();
+    let constants = (0..cx.passthrough.constants.len()).map(|index| constant(cx, index));
     let evaluate = (!cx.passthrough.constants.is_empty()).then(|| {
         let count = Literal::usize_unsuffixed(cx.passthrough.constants.len());
         quote!(let constants_: &[T; #count] = &[#(T::constant(#constants)),*];)

@@ -2,7 +2,7 @@
 
 use super::super::EmitContext;
 use super::super::arrays::usize_literal;
-use super::super::const_expr::is_const;
+use super::super::const_expr::{constant, is_const};
 use super::row::{Row, default, indexed};
 use super::shapes::ShapeLists;
 use crate::model::{About, Body, BodyId, Symbol, Value};
@@ -105,7 +105,7 @@ fn scalar(cx: &EmitContext, value: &Value) -> TokenStream {
             quote!(T::constant(#number))
         }
         Value::Symbol(Symbol::Constant(index)) => {
-            let constant = &cx.passthrough.constants[*index];
+            let constant = constant(cx, *index);
             quote!(T::constant(#constant))
         }
         Value::Symbol(Symbol::Parameter(index)) => {
