@@ -116,9 +116,11 @@ pub(super) fn there_is_a_route_with_a_body(draft: &Draft, diagnostics: &mut Diag
         );
         diagnostics.error(name.span(), message);
     }
-    // A further route that ends on the ground is reported for its end.
+    // A further route that ends on the ground is reported for its end, unless its end is its beginning.
     let is_closed = |route: &RouteView| {
-        route.index > RouteView::FIRST && route.items().last().is_some_and(RouteItem::is_end)
+        let beginning = usize::from(route.route.syntax.start.is_none());
+        let end = route.items().skip(beginning).last();
+        route.index > RouteView::FIRST && end.is_some_and(RouteItem::is_end)
     };
     for route in complete_routes(draft).filter(|route| !has_body(*route) && !is_closed(route)) {
         if let Some((at, _)) = route.items().next().and_then(called) {

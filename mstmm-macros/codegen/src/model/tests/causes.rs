@@ -202,3 +202,10 @@ fn a_point_of_a_load_is_a_single_name() {
     expect_rods(&load("rod.output"), &[("rod.output", single)]);
     expect_rods(&load("output"), &[]);
 }
+
+#[test]
+fn a_later_route_is_more_than_its_beginning() {
+    let no_body = [("ground", "the route has no body: …")];
+    expect_rods("ground -> pin j -> Rod rod; ground;", &no_body);
+    expect_rods("ground -> pin j -> Rod rod; ground at [1, 2, 3] m;", &no_body);
+}
