@@ -5,9 +5,9 @@ use syn::{Attribute, Error, Result, Visibility};
 
 use super::cursor::Cursor;
 use super::lookahead::SETTINGS;
-use super::path::begins_with_path;
+use super::path::{begins_with_path, path_of_several};
 use super::route_tree::{ChainSyntax, ContentSyntax, DimensionKeyword, ParameterSyntax};
-use super::tree::FieldSyntax;
+use super::tree::{FieldSyntax, SpanRange};
 use super::{attribute, content, field, lookahead, number, other_programs, part, route_item};
 use crate::diag::{Diagnostics, did_you_mean, nearest};
 
@@ -147,6 +147,9 @@ fn item(
     def: &mut ChainSyntax,
     diagnostics: &mut Diagnostics,
 ) {
+    if let Some((at, message)) = field_of_path(input) {
+        return diagnostics.error_over(at, message);
+    }
     if begins_with_path(input) {
         return content::route(input, &mut def.content, diagnostics);
     }
@@ -178,6 +181,23 @@ fn item(
                      `load` and `spring`";
         content::unknown(items, input, &mut def.content, diagnostics);
     }
+}
+
+/// Reads `element.field = …;`, which is an error.
+fn field_of_path(input: &mut Cursor) -> Option<(SpanRange, String)> {
+    let mut ahead = *input;
+    let mut path = path_of_several(&mut ahead)?;
+    if !ahead.peek_punct('=') || ahead.peek_pair('=', '>') {
+        return None;
+    }
+    let extent = path.extent();
+    let field = path.names.pop()?;
+    let message = format!(
+        "a field is in the block of its element: for a hinge write `hinge {path} {{ {field} = …; }}`"
+    );
+    ahead.skip_statement();
+    *input = ahead;
+    Some((extent, message))
 }
 
 /// Reads a block for `ground` or for a moving end, which is an error.

@@ -110,7 +110,10 @@ impl Ends {
         let colon = sign.is_err() && input.punct(':').is_some();
         let has_sign = sign.is_ok();
         let value = match sign {
-            Ok(()) => value_of(&name, input).map(Some),
+            Ok(()) => value_of(&name, input).and_then(|value| {
+                value::no_comma_before_orientation(input)?;
+                Ok(Some(value))
+            }),
             // The value may follow anyway, or a type.
             Err(error) if colon => {
                 diagnostics.push(error);

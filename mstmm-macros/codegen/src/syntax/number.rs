@@ -194,7 +194,19 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
         *input = ahead;
         ExprSyntax { extent: SpanRange::token(name.span()), kind: ExprKind::Name(name) }
     };
+    no_index(input)?;
     Ok((expr, None))
+}
+
+/// Reports an index after a name.
+pub(super) fn no_index(input: &Cursor) -> Result<()> {
+    let mut ahead = *input;
+    let Some((mut inside, _)) = ahead.group(Delimiter::Bracket) else { return Ok(()) };
+    if inside.any().is_none() || !inside.is_empty() {
+        return Ok(());
+    }
+    let message = "remove the index: in a `repeat` a name means the same repetition, and after it a repeated body is the last one";
+    Err(Error::new(input.next_span(), message))
 }
 
 /// All numbers in a group, separated by commas.

@@ -22,6 +22,8 @@ const ITEMS: &[(&str, &str)] = &[
         "write a damper as the field `damping` of a hinge, or as a `spring` with `damping` and \
          `stiffness = 0`",
     ),
+    ("const", CONSTANTS),
+    ("let", CONSTANTS),
     (
         "sensor",
         "a chain has no sensors: the results have the positions, velocities and forces at all \
@@ -42,6 +44,10 @@ const LOOPS: &str = "a closed chain is a first route that ends as it began, `gro
 /// The message for a motor.
 const MOTORS: &str = "write a motor as the field `torque` or `force` of its hinge; an actuator between two points is a \
                       `spring` with `force = input`";
+
+/// The message for a constant.
+const CONSTANTS: &str = "write a value with a name as `param name = …;`, which can be set at run time, or as a `const` of \
+                         Rust before the macro, with a name in capital letters";
 
 /// The message for a coupling of two hinges.
 const GEARS: &str = "a chain has no gears and mimic joints between two hinges: give both motors whose efforts hold the ratio; \

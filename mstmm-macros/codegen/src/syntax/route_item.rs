@@ -19,8 +19,9 @@ pub(super) fn route_item(
     diagnostics: &mut Diagnostics,
 ) -> Result<RouteItemSyntax> {
     if let Some(at) = input.word("ground") {
-        let has_position = input.word("at").is_some() || lacks_at(input, diagnostics);
+        let has_position = input.word("at").is_some() || lacks_at(input, diagnostics)?;
         let position = if has_position { Some(value::position(input)?.into()) } else { None };
+        value::no_comma_before_orientation(input)?;
         return Ok(RouteItemSyntax::Ground {
             at,
             position,
@@ -109,13 +110,17 @@ fn sign_before_name(input: &mut Cursor, diagnostics: &mut Diagnostics) {
 }
 
 /// Reports a position of the ground without `at`; returns whether there is one.
-fn lacks_at(input: &Cursor, diagnostics: &mut Diagnostics) -> bool {
+fn lacks_at(input: &Cursor, diagnostics: &mut Diagnostics) -> Result<bool> {
+    if input.peek_group(Delimiter::Parenthesis) {
+        let message = "write the position as `ground at [x, y, z] m`";
+        return Err(Error::new(input.next_span(), message));
+    }
     let is_position = input.peek_group(Delimiter::Bracket) || input.clone().literal().is_some();
     if is_position {
         let message = "write `at` before the position: `ground at …`";
         diagnostics.error(input.next_span(), message);
     }
-    is_position
+    Ok(is_position)
 }
 
 /// Reads a name after `ground`, if an arrow or the end of the route follows: it has none, which is reported later.

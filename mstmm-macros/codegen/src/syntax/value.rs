@@ -39,6 +39,7 @@ pub(super) fn value_of(field: Option<&Ident>, input: &mut Cursor) -> Result<Valu
     }
     let start = SpanRange::token(input.next_span());
     if let Some(path) = path_of_several(input) {
+        number::no_index(input)?;
         return Ok(ValueSyntax::Path(path));
     }
     let position = position(input)?;
@@ -107,13 +108,22 @@ pub(super) fn turned(input: &mut Cursor) -> Result<Option<OrientationSyntax>> {
     if input.word("turned").is_none() {
         return lacks_turned(input).map_or(Ok(None), Err);
     }
+    let orientation = orientation(input)?;
+    match input.word("at") {
+        Some(at) => Err(Error::new(at, "write the position first: `at [x, y, z] turned …`")),
+        None => Ok(Some(orientation)),
+    }
+}
+
+/// Parses an orientation after `turned`.
+fn orientation(input: &mut Cursor) -> Result<OrientationSyntax> {
     if is_form(input) {
-        return form(input).map(OrientationSyntax::Form).map(Some);
+        return form(input).map(OrientationSyntax::Form);
     }
     if input.peek_group(Delimiter::Bracket) {
         return Err(input.unexpected("`rpy(roll, pitch, yaw)` or `quaternion(w, x, y, z)`"));
     }
-    number::number(input).map(OrientationSyntax::Angle).map(Some)
+    number::number(input).map(OrientationSyntax::Angle)
 }
 
 /// Returns the error for an orientation that does not begin with `turned`.
@@ -124,6 +134,19 @@ fn lacks_turned(input: &Cursor) -> Option<Error> {
         return Some(Error::new(word.span(), message));
     }
     misspelt(input, "turned")
+}
+
+/// Reports a comma between a position and its orientation.
+pub(super) fn no_comma_before_orientation(input: &Cursor) -> Result<()> {
+    let mut ahead = *input;
+    let Some(at) = ahead.punct(',') else { return Ok(()) };
+    match ahead.peek_ident().filter(|_| lookahead::is_orientation(&ahead)) {
+        Some(form) => {
+            let message = format!("write `turned` instead of the comma: `turned {form}(…)`");
+            Err(Error::new(at, message))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Returns the error for another word in the place of this keyword.

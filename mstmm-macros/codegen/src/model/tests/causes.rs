@@ -204,8 +204,59 @@ fn a_point_of_a_load_is_a_single_name() {
 }
 
 #[test]
+fn names_have_no_index() {
+    let message = "remove the index: in a `repeat` a name means the same repetition, and after it a repeated body is the last one";
+    let index = [("[0]", message)];
+    let rest = "ground -> pin j -> Rod rod -> repeat 2 { pin k -> Rod link };";
+    expect_rods(&format!("{rest} load f {{ on = link[0]; force = input; }}"), &index);
+    expect_rods(&format!("{rest} load f {{ on = link[0].com; force = input; }}"), &index);
+    expect_rods(&format!("{rest} load f {{ on = link.com[0]; force = input; }}"), &index);
+    let each = format!("param each[2] = 1 kg*m^2; {rest}");
+    expect_rods(&format!("{each} hinge k {{ armature = 2*each[0]; }}"), &index);
+    expect_rods(&format!("{each} hinge k {{ armature = 2*each; }}"), &[]);
+}
+
+#[test]
+fn a_frame_is_a_position_and_then_an_orientation() {
+    let comma = [(",", "write `turned` instead of the comma: `turned rpy(…)`")];
+    let first = [("at", "write the position first: `at [x, y, z] turned …`")];
+    let rest = "-> pin j -> Rod rod;";
+    expect_rods(&format!("ground at [1, 0, 0] m, rpy(0, 0, 1) {rest}"), &comma);
+    expect_rods(&format!("ground turned rpy(0, 0, 1) at [1, 0, 0] m {rest}"), &first);
+    let position = [("(1, 0, 0)", "write the position as `ground at [x, y, z] m`")];
+    expect_rods(&format!("ground(1, 0, 0) {rest}"), &position);
+    let body = |shape: &str, output: &str| {
+        format!(
+            "body Bar {{ mass = 1; com = [0, 0, 0]; inertia = diag(1, 1, 1) about com; \
+             shape = {shape}; output = {output}; }} ground -> pin j -> Rod rod -> pin k -> Bar bar;"
+        )
+    };
+    let [ball, end] = ["sphere(radius = 1)", "[1, 0, 0]"];
+    expect_rods(&body(ball, "[1, 0, 0], rpy(0, 0, 1)"), &comma);
+    expect_rods(&body("sphere(radius = 1) turned rpy(0, 0, 1) at [1, 0, 0]", end), &first);
+    expect_rods(&body("sphere(radius = 1) at [1, 0, 0] turned rpy(0, 0, 1)", end), &[]);
+}
+
+#[test]
 fn a_later_route_is_more_than_its_beginning() {
     let no_body = [("ground", "the route has no body: …")];
     expect_rods("ground -> pin j -> Rod rod; ground;", &no_body);
     expect_rods("ground -> pin j -> Rod rod; ground at [1, 2, 3] m;", &no_body);
+}
+
+#[test]
+fn fields_are_in_blocks() {
+    let message =
+        "a field is in the block of its element: for a hinge write `hinge j { start = …; }`";
+    expect_rods("ground -> pin j -> Rod rod; j.start = 1;", &[("j.start", message)]);
+}
+
+#[test]
+fn constants_are_parameters_or_of_rust() {
+    let message = "write a value with a name as `param name = …;`, which can be set at run time, or as a `const` of Rust \
+                   before the macro, with a name in capital letters";
+    for word in ["const", "let"] {
+        let text = format!("{word} Length = 1 m; ground -> pin j -> Rod rod;");
+        expect_rods(&text, &[(word, message)]);
+    }
 }
