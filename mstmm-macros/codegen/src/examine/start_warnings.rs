@@ -22,8 +22,9 @@ const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
 /// The name of the warning of a hinge that starts beyond its limits.
 const BEYOND_LIMITS: &str = "START_BEYOND_LIMITS";
 
-/// The distance in m or rad from which a start is beyond its limits. Rotation vectors have rounding errors.
-const DISTANCE: f64 = 1e-9;
+/// The overshoot from which a start is beyond its limits, relative to the distance between them. Rotation vectors have
+/// rounding errors.
+const OVERSHOOT: f64 = 1e-9;
 
 /// The largest difference of the coordinates of equal closed poses. In a singular pose, a residual of 1e-9 leaves its root.
 const EQUAL: f64 = 1e-3;
@@ -47,9 +48,14 @@ impl DryRun {
         }
     }
 
-    /// Returns whether a hinge starts beyond its limits: springs of unit stiffness there store energy.
+    /// Returns whether a hinge starts beyond its limits: springs there store energy. At an overshoot as large as the distance
+    /// between the limits, they store half a joule.
     fn starts_beyond_limits(&self, hinge: &Hinge) -> bool {
-        let stiff = |limits: &Limits| Limits { stiffness: Value::number(1.0), ..limits.clone() };
+        let stiff = |limits: &Limits| {
+            let [low, high] =
+                [&limits.low, &limits.high].map(|limit| self.values.scalar(limit).value());
+            Limits { stiffness: Value::number((high - low).powi(-2)), ..limits.clone() }
+        };
         let limits_of = |passive: &Passive| Passive {
             limits: passive.limits.as_ref().map(stiff),
             ..Passive::none()
@@ -62,7 +68,7 @@ impl DryRun {
         let at_rest = vec![Number::variable(0.0); hinge.kind.dof_count()];
         let elements =
             equations::hinge::passive_elements(&stops, &self.values, &start, &at_rest, None);
-        elements.energy.value() > 0.5 * DISTANCE * DISTANCE
+        elements.energy.value() > 0.5 * OVERSHOOT * OVERSHOOT
     }
 
     /// Warns of hinges of an open chain that have a zero pivot at the start. Prescribed motions have no start.
