@@ -142,6 +142,30 @@ mstmm_chain! {
     }
 }
 
+macro_rules! of_sizes {
+    ($($name:ident $m:ident;)*) => { $(
+        mstmm_chain! {
+            chain $name {
+                gravity = [0, 0, -9.81] m/s^2;
+                answers = regressor;
+                body Rod {
+                    mass = 1 kg; com = [0.1, 0.1, -0.5] $m; output = [0, 0.1, -1] $m;
+                    inertia = diag(0.1, 0.12, 0.05) kg*$m^2 about com;
+                    point side = [0.2, 0.3, 0] $m turned rpy(0.3, 0, 0.2);
+                }
+                ground -> pin(x) a -> Rod one -> slider([0, 1, 1]) b -> Rod two -> pin([0, 0.6, 0.8]) c -> Rod three
+                    -> ball d -> Rod four;
+                one.side -> universal e -> Rod five -> screw(z, 0.1 $m/rad) f -> Rod six -> elastic g -> Rod seven;
+                moving cart -> pin(y) h -> Rod eight;
+                hinge a, c, e { damping = 0.1 N*$m*s; armature = 0.2 kg*$m^2; }
+                hinge b { armature = 0.2 kg; start = 0.1 $m; }
+            }
+        }
+    )* };
+}
+
+of_sizes! { Micrometers um; Millimeters mm; Meters m; Kilometers km; Megameters Mm; }
+
 /// The singular values of an identifiable combination are above the first, rounding errors below the second, relative to
 /// the largest: those of a few hundred rows of sums of tens of products.
 const PRESENT: f64 = 1e-7;
@@ -215,4 +239,14 @@ fn constant_gravity_and_free_hinges_need_no_inputs() {
     compare!(Weightless);
     compare!(Balls);
     compare!(Inward);
+}
+
+#[test]
+fn the_size_of_a_chain_does_not_matter() {
+    let of_meters = Meters::<f64>::BASE_PARAMETERS;
+    compare!(Meters);
+    assert_eq!(Micrometers::<f64>::BASE_PARAMETERS[..], of_meters);
+    assert_eq!(Millimeters::<f64>::BASE_PARAMETERS[..], of_meters);
+    assert_eq!(Kilometers::<f64>::BASE_PARAMETERS[..], of_meters);
+    assert_eq!(Megameters::<f64>::BASE_PARAMETERS[..], of_meters);
 }

@@ -92,7 +92,7 @@ pub use momentum::{ChainMomentum, momentum, momentum_matrix};
 pub use motion_problem::HingePivot;
 pub use open_chain::OpenChain;
 pub use point_reader::{FramedVector, PointState};
-pub use projection::{Projection, closure_jacobian_times, displace, project};
+pub use projection::{Projection, closure_jacobian_times, displace, project, size};
 pub use pull::virtual_power;
 pub use push::{PushedDynamics, missing_efforts, push};
 pub use regressor::{dynamic_parameters, regressor, regressor_times};

@@ -46,7 +46,7 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
         let entries: Vec<S> = axes.iter().map(|&k| motion.at(k)).collect();
         dot(&entries, &entries)
     };
-    let per_length = square_size(context, &links, &loop_hinge).sqrt().recip();
+    let per_length = square_size(context, &links, Some(&loop_hinge)).sqrt().recip();
     let relative = |Motion { linear, angular }: Motion<S>| {
         square(Motion { linear: linear * per_length, angular })
     };
@@ -68,12 +68,19 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
     })
 }
 
+/// Returns the size of a chain in m, which lengths are compared with.
+pub fn size<S: Scalar>(context: &EvalContext<S>) -> S {
+    let links = kinematics(context, Axes::Body, &mut Trace::silent());
+    let loop_hinge = loop_hinge(context, Axes::Body, &links);
+    square_size(context, &links, loop_hinge.as_ref()).sqrt()
+}
+
 /// Returns the square of the size of a chain: of all arms, and of the radius of gyration of all masses about the points of
 /// their links. Without inertias, where a chain of sliders may have no arms either, one metre is added.
 fn square_size<S: Scalar>(
     context: &EvalContext<S>,
     links: &PerLink<LinkKinematics<S>>,
-    loop_hinge: &LoopHinge<S>,
+    loop_hinge: Option<&LoopHinge<S>>,
 ) -> S {
     let nothing = Sizes { arms: S::zero(), mass: S::zero(), inertia: S::zero() };
     let all = context.tree.total(nothing, |index, sum| {
@@ -84,7 +91,7 @@ fn square_size<S: Scalar>(
             inertia: sum.inertia + link.inertia.trace(),
         }
     });
-    let closing = loop_hinge.hinge.arm;
+    let closing = loop_hinge.map_or(Vec3::zero(), |loop_hinge| loop_hinge.hinge.arm);
     let own = match all.inertia.vanishes() {
         true => S::one(),
         false => all.inertia * all.mass.recip(),

@@ -12,13 +12,13 @@
 use super::dry_run::{DryRun, Number, near_zero};
 use crate::equations::{Axes, Trace, regressor};
 use crate::ids::IdVec;
-use crate::model::{DynamicParameter, LinkId, MovesWith};
+use crate::model::{DynamicParameter, InertialParameter, LinkId, MovesWith};
 
 /// A column depends on earlier ones if the rest is smaller than this, relative to the column. The columns of states that
 /// differ by half a radian have condition numbers below a million for the robots tested.
 const DEPENDENT: f64 = 1e-8;
-/// A column is zero, up to rounding, if it is smaller than this, relative to the largest column. Mass columns of arms of
-/// a millimetre are 10⁶ times smaller than those of inertias.
+/// The column of an inertial parameter is zero, up to rounding, if it is smaller than this, relative to the largest one, in
+/// units of the size of the chain.
 const ZERO: f64 = 1e-12;
 /// The number of equations for each parameter.
 const EQUATIONS: usize = 2;
@@ -30,9 +30,18 @@ impl DryRun {
     /// columns before them.
     pub(super) fn base_parameters(&self) -> Vec<usize> {
         let columns = self.stacked();
-        let largest = columns.iter().map(|column| norm(column)).fold(0.0, f64::max);
+        let parameters = self.chain.dynamic_parameters();
+        let relative = |k: usize| match parameters[k] {
+            DynamicParameter::Inertial(_, parameter) => norm(&columns[k]) / self.unit_of(parameter),
+            DynamicParameter::Passive(..) => 0.0,
+        };
+        let zero = ZERO * (0..columns.len()).map(relative).fold(0.0, f64::max);
+        let is_present = |k: usize| match parameters[k] {
+            DynamicParameter::Inertial(..) => relative(k) > zero,
+            DynamicParameter::Passive(..) => norm(&columns[k]) > 0.0,
+        };
         let independent = |span: &mut Span, of_link: &[usize]| {
-            let present = of_link.iter().filter(|&&k| norm(&columns[k]) > ZERO * largest);
+            let present = of_link.iter().filter(|&&k| is_present(k));
             present.copied().filter(|&k| span.add(&columns[k])).collect::<Vec<_>>()
         };
         let (of_links, apart) = self.parameters_by_links();
@@ -46,6 +55,30 @@ impl DryRun {
         }
         base.sort_unstable();
         base
+    }
+
+    /// Returns the moment of an inertial parameter at unit angular acceleration, with arms of the size of the chain.
+    fn unit_of(&self, parameter: InertialParameter) -> f64 {
+        match parameter {
+            InertialParameter::Mass => self.size * self.size,
+            InertialParameter::FirstMoment(_) => self.size,
+            InertialParameter::Inertia(..) => 1.0,
+        }
+    }
+
+    /// Returns the unit of rates in rad/s. At this rate, centrifugal accelerations at the size of the chain are as large as
+    /// the gravity, which would otherwise hide them in small chains.
+    fn frequency(&self) -> f64 {
+        let (v, pose) = (self.at_rest(), self.pose(&self.values, 0));
+        let context = self.context(&self.merged, &self.values, (&pose.q, &v, &pose.inputs));
+        let gravity = context.base_acceleration().linear;
+        (gravity.dot(gravity).value().sqrt() / self.size).max(1.0).sqrt()
+    }
+
+    /// Returns the units of all rates.
+    fn rate_units(&self) -> Vec<f64> {
+        let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
+        free.flat_map(|hinge| self.units(&hinge.kind, |group| group.rates.clone())).collect()
     }
 
     /// Returns the indices of the dynamic parameters of each link and its hinge, and of those of hinges that close loops.
@@ -69,22 +102,28 @@ impl DryRun {
         (of_links, apart)
     }
 
-    /// Returns the columns of the regressor, stacked over states near the start, with all inputs in motion.
+    /// Returns the columns of the regressor, stacked over states near the start, with all inputs in motion. Forces are
+    /// moments at an arm of the size of the chain.
     fn stacked(&self) -> Vec<Vec<f64>> {
         let count = self.chain.dynamic_parameters().len();
-        let rates = self.merged.dof_count().max(1);
         let mut columns = vec![Vec::new(); count];
+        let (frequency, units) = (self.frequency(), self.rate_units());
         for seed in 1..=self.states(count) {
-            let pose = self.pose_in_motion(seed);
-            let v: Vec<Number> = (0..rates).map(|k| near_zero(100 + k, seed)).collect();
-            let accelerations: Vec<Number> =
-                (0..rates).map(|k| near_zero(1000 + k, seed)).collect();
+            let pose = self.pose_in_motion(frequency, seed);
+            let in_units = |first: usize, factor: f64| {
+                let numbers = units.iter().enumerate().map(|(k, unit)| {
+                    Number::variable(unit * factor * near_zero(first + k, seed).value())
+                });
+                numbers.collect::<Vec<_>>()
+            };
+            let v = in_units(100, frequency);
+            let accelerations = in_units(1000, frequency * frequency);
             let state = (&pose.q[..], &v[..], &pose.inputs[..]);
             let context = self.context(&self.merged, &self.values, state);
             let context = context.with_accelerations(&accelerations);
             let of_state = regressor(&context, Axes::Body, &mut Trace::silent());
             for (column, entries) in columns.iter_mut().zip(of_state) {
-                column.extend(entries.into_iter().map(|entry| entry.value()));
+                column.extend(entries.iter().zip(&units).map(|(entry, unit)| entry.value() * unit));
             }
         }
         columns

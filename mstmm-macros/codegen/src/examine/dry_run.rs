@@ -5,9 +5,10 @@ use crate::equations::{
 };
 use crate::math::{CORRECTIONS, LARGEST_ROTATION, Structured};
 use crate::model::{
-    Chain, ClosureRank, InputKind, Layout, RotationCoordinates, SolutionMethod,
-    rotation_coordinates,
+    Chain, ClosureRank, DofGroup, HingeKind, InputKind, Layout, RotationCoordinates,
+    SolutionMethod, rotation_coordinates,
 };
+use std::ops::Range;
 
 /// The relative residual below which a chain counts as closed.
 const CLOSED: f64 = 1e-9;
@@ -41,8 +42,8 @@ pub(super) fn near_zero(number: usize, seed: usize) -> Number {
     Number::variable(4.0 * low_discrepancy(number, seed) - 2.0)
 }
 
-/// Returns the deviation of a coordinate from the start: zero for the first seed, up to a half for
-/// others.
+/// Returns the deviation of a coordinate from the start in units of the coordinate: zero for the first seed, up to a half
+/// for others.
 fn deviation(number: usize, seed: usize) -> f64 {
     if seed == 0 { 0.0 } else { low_discrepancy(number, seed) - 0.5 }
 }
@@ -60,6 +61,8 @@ pub(super) struct DryRun {
     /// The layout with welded bodies merged. Its hinges have the same ids.
     pub merged: Layout,
     pub values: SymbolValues<Number>,
+    /// The size of the chain at its start in m: deviations of translations are relative to it.
+    pub size: f64,
     /// Whether some bodies have inertia in all directions only because of the loop constraints.
     pub held_by_closure: bool,
 }
@@ -67,7 +70,27 @@ pub(super) struct DryRun {
 impl DryRun {
     pub fn new(chain: Chain) -> Self {
         let (layout, merged) = (Layout::of(&chain), Layout::merged(&chain));
-        DryRun { values: values(&chain, 0), chain, layout, merged, held_by_closure: false }
+        let values = values(&chain, 0);
+        let mut dry_run =
+            DryRun { values, chain, layout, merged, size: 1.0, held_by_closure: false };
+        let (v, pose) = (dry_run.at_rest(), dry_run.pose(&dry_run.values, 0));
+        let state = (&pose.q[..], &v[..], &pose.inputs[..]);
+        let size = equations::size(&dry_run.context(&dry_run.merged, &dry_run.values, state));
+        if size.value().is_normal() {
+            dry_run.size = size.value();
+        }
+        dry_run
+    }
+
+    /// Returns the units of the coordinates of a hinge, or of other quantities that `of` selects in its groups: the size of
+    /// the chain for translations, one for rotations.
+    pub fn units(
+        &self,
+        kind: &HingeKind,
+        of: impl Fn(&DofGroup) -> Range<usize>,
+    ) -> impl Iterator<Item = f64> {
+        let unit = |group: &DofGroup| if group.rotational { 1.0 } else { self.size };
+        kind.spec().groups.iter().flat_map(move |group| of(group).map(move |_| unit(group)))
     }
 
     pub fn context<'a>(
@@ -157,36 +180,43 @@ impl DryRun {
     }
 
     /// Returns a pose near the start in which prescribed motions have rates and accelerations, and all
-    /// other inputs have values, from −2 to 2.
-    pub fn pose_in_motion(&self, seed: usize) -> Configuration {
+    /// other inputs have values: from −2 to 2, times the units of translations and of `frequency`.
+    pub fn pose_in_motion(&self, frequency: f64, seed: usize) -> Configuration {
         let mut pose = self.pose(&self.values, seed);
         for input in &self.merged.inputs {
-            let first = match input.what {
+            let (first, units) = match input.what {
                 InputKind::Motion(hinge) => {
-                    input.range.start + self.chain.hinges[hinge].kind.coordinates()
+                    let kind = &self.chain.hinges[hinge].kind;
+                    let rates: Vec<f64> = self
+                        .units(kind, |group| group.rates.clone())
+                        .map(|it| it * frequency)
+                        .collect();
+                    let accelerations = rates.iter().map(|rate| rate * frequency);
+                    let units = rates.iter().copied().chain(accelerations).collect();
+                    (input.range.start + kind.coordinates(), units)
                 }
-                _ => input.range.start,
+                InputKind::Gravity => (input.range.start, vec![self.size; input.range.len()]),
+                _ => (input.range.start, vec![1.0; input.range.len()]),
             };
-            for index in first..input.range.end {
-                pose.inputs[index] = near_zero(OF_INPUTS + index, seed);
+            for (index, unit) in (first..input.range.end).zip(units) {
+                let number = near_zero(OF_INPUTS + index, seed).value();
+                pose.inputs[index] = Number::variable(unit * number);
             }
         }
         pose
     }
 
-    /// Returns the start, or coordinates that differ from it by up to a half.
+    /// Returns the start, or coordinates that differ from it by up to half a rad, or half the size of the chain.
     fn coordinates(&self, values: &SymbolValues<Number>, seed: usize) -> Vec<Number> {
         let mut count = 0;
         let free = self.chain.hinges.iter().filter(|hinge| !hinge.is_prescribed());
         let coordinates = free.flat_map(|hinge| {
-            let near: Vec<Number> = hinge
-                .start
-                .iter()
-                .map(|start| {
-                    count += 1;
-                    Number::variable(values.scalar(start).value() + deviation(count, seed))
-                })
-                .collect();
+            let units = self.units(&hinge.kind, |group| group.coordinates.clone());
+            let near = hinge.start.iter().zip(units).map(|(start, unit)| {
+                count += 1;
+                Number::variable(values.scalar(start).value() + unit * deviation(count, seed))
+            });
+            let near: Vec<Number> = near.collect();
             equations::hinge::normalized(&hinge.kind, &near)
         });
         coordinates.collect()
@@ -206,9 +236,10 @@ impl DryRun {
         for input in &self.merged.inputs {
             let InputKind::Motion(hinge) = input.what else { continue };
             let kind = &self.chain.hinges[hinge].kind;
-            let near = kind.spec().coordinates.iter().map(|coordinate| {
+            let units = self.units(kind, |group| group.coordinates.clone());
+            let near = kind.spec().coordinates.iter().zip(units).map(|(coordinate, unit)| {
                 count += 1;
-                Number::variable(coordinate.rest + deviation(count, seed))
+                Number::variable(coordinate.rest + unit * deviation(count, seed))
             });
             let near = equations::hinge::normalized(kind, &near.collect::<Vec<_>>());
             inputs[input.range.clone()][..near.len()].copy_from_slice(&near);
