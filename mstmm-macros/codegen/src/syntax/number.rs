@@ -194,18 +194,31 @@ fn primary(input: &mut Cursor) -> Result<(ExprSyntax, Suffix)> {
         *input = ahead;
         ExprSyntax { extent: SpanRange::token(name.span()), kind: ExprKind::Name(name) }
     };
-    no_index(input)?;
+    no_index(input, Some(&expr.kind))?;
     Ok((expr, None))
 }
 
-/// Reports an index after a name.
-pub(super) fn no_index(input: &Cursor) -> Result<()> {
+/// Reports an index after a number, or after a path of names.
+pub(super) fn no_index(input: &Cursor, number: Option<&ExprKind>) -> Result<()> {
     let mut ahead = *input;
     let Some((mut inside, _)) = ahead.group(Delimiter::Bracket) else { return Ok(()) };
     if inside.any().is_none() || !inside.is_empty() {
         return Ok(());
     }
-    let message = "remove the index: in a `repeat` a name means the same repetition, and after it a repeated body is the last one";
+    let is_constant = match number {
+        Some(ExprKind::Name(name)) if FUNCTIONS.iter().any(|function| name == function) => {
+            return Err(input.unexpected("`(`"));
+        }
+        Some(ExprKind::Name(name)) => name.to_string().starts_with(char::is_uppercase),
+        Some(_) => true,
+        None => false,
+    };
+    let message = match is_constant {
+        true => "a number uses constants of type `f64`: write a separate `const` for this entry",
+        false => {
+            "remove the index: in a `repeat` a name means the same repetition, and after it a repeated body is the last one"
+        }
+    };
     Err(Error::new(input.next_span(), message))
 }
 

@@ -39,7 +39,7 @@ pub(super) fn value_of(field: Option<&Ident>, input: &mut Cursor) -> Result<Valu
     }
     let start = SpanRange::token(input.next_span());
     if let Some(path) = path_of_several(input) {
-        number::no_index(input)?;
+        number::no_index(input, None)?;
         return Ok(ValueSyntax::Path(path));
     }
     let position = position(input)?;

@@ -214,6 +214,11 @@ fn names_have_no_index() {
     let each = format!("param each[2] = 1 kg*m^2; {rest}");
     expect_rods(&format!("{each} hinge k {{ armature = 2*each[0]; }}"), &index);
     expect_rods(&format!("{each} hinge k {{ armature = 2*each; }}"), &[]);
+    let entry =
+        [("[2]", "a number uses constants of type `f64`: write a separate `const` for this entry")];
+    expect_hinge("pin", "damping = 2*DAMPINGS[2];", &entry);
+    expect_hinge("pin", "damping = motors::DAMPINGS[2];", &entry);
+    expect_hinge("pin", "damping = sqrt[4];", &[("[", "expected `(`, found `[`")]);
 }
 
 #[test]
