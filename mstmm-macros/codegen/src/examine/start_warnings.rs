@@ -26,7 +26,8 @@ const BEYOND_LIMITS: &str = "START_BEYOND_LIMITS";
 /// rounding errors.
 const OVERSHOOT: f64 = 1e-9;
 
-/// The largest difference of the coordinates of equal closed poses. In a singular pose, a residual of 1e-9 leaves its root.
+/// The largest difference of the coordinates of equal closed poses, in rad or relative to the size of the chain. In a singular
+/// pose, a residual of 1e-9 leaves its root.
 const EQUAL: f64 = 1e-3;
 
 /// Returns the span of the `start` of a hinge, or of its name on the route if no start is written.
@@ -120,9 +121,15 @@ impl DryRun {
         let is_prescribed = self.chain.hinges.iter().any(Hinge::is_prescribed);
         let Some(closing) = closing.filter(|_| !is_prescribed) else { return };
         let [start, others @ ..] = poses else { return };
-        let differs = |a: &Number, b: &Number| (a.value() - b.value()).abs() > EQUAL;
-        let is_other =
-            |pose: &Configuration| pose.q.iter().zip(&start.q).any(|(a, b)| differs(a, b));
+        // No hinge is prescribed.
+        let hinges = self.chain.hinges.iter();
+        let units =
+            hinges.flat_map(|hinge| self.units(&hinge.kind, |group| group.coordinates.clone()));
+        let units: Vec<f64> = units.collect();
+        let is_other = |pose: &Configuration| {
+            let changes = pose.q.iter().zip(&start.q).map(|(a, b)| (a.value() - b.value()).abs());
+            changes.zip(&units).any(|(change, unit)| change > EQUAL * unit)
+        };
         let message = if others.len() > 1 && !others.iter().any(is_other) {
             "this closed chain has no other closed pose near its start, and accelerations fail or have no meaning there: its links \
              are in line and cannot move; check the lengths of the bodies and the positions of the ends"

@@ -95,6 +95,15 @@ fn a_closed_chain_has_regular_constraints_at_its_start() {
                   there: write a `start` of the hinges with the links bent";
     let flat = "hinge b { start = 180 deg; } hinge c { start = -180 deg; }";
     assert_eq!(message_of(&bar(1.0, flat)), folded);
+    for unit in ["um", "m", "Mm"] {
+        expect_chain(
+            &format!(
+                "plane chain A {{ body Block {{ mass = 1; com = [0, 0]; inertia = 1 kg*{unit}^2 about com; output = [1, 0] {unit}; }} \
+                 ground -> slider(x) a -> Block one -> slider([1, 1]) b -> Block two -> slider(y) c -> ground at [2, 0] {unit}; }}"
+            ),
+            &[],
+        );
+    }
     expect_chain(
         &bar(
             1.0,
