@@ -58,3 +58,46 @@ fn linkages_of_all_sizes_and_speeds_are_assembled() -> Result<(), Error> {
     check::<f64>()?;
     check::<f32>()
 }
+
+mstmm_chain! {
+    /// Bennett's linkage, which starts open. Two of its five constraints depend on the others where it is closed.
+    chain Redundant {
+        param size = 1 m;
+        param square = 1 kg*m^2;
+        body Long {
+            mass = 1 kg; com = [size*0.5, 0, 0]; inertia = diag(square*0.02, square*0.1, square*0.1) about com;
+            output = [size, 0, 0] turned rpy(60, 0, 0) deg;
+        }
+        body Short {
+            mass = 0.5 kg; com = [size*0.25, 0, 0]; inertia = diag(square*0.01, square*0.02, square*0.02) about com;
+            output = [size*0.5, 0, 0] turned rpy(0.44783239692893245, 0, 0) rad;
+        }
+        ground -> pin a -> Long first -> pin b -> Short second -> pin c -> Long third -> pin d -> Short last
+            -> weld w -> ground;
+        hinge a { start = 1 rad; start_rate = 1 rad/s; }
+        hinge b { start = 2.3 rad; }
+        hinge c { start = 1 rad; }
+        hinge d { start = -2.3 rad; }
+    }
+}
+
+/// Linkages of all sizes are closed by the same motion, which fits constraints that cannot all be fulfilled at first.
+#[test]
+fn redundant_constraints_of_all_sizes_are_fitted_alike() -> Result<(), Error> {
+    let closed = |size: f64| -> Result<_, Error> {
+        let mut chain = Redundant::<f64>::new();
+        chain.set_size(size)?;
+        chain.set_square(size * size)?;
+        let mut state = chain.initial_state();
+        chain.assemble(&mut state, &chain.no_inputs())?;
+        Ok((state.q, state.v))
+    };
+    let (q, v) = closed(1.0)?;
+    for size in [1e-9, 1e-6, 1e-3, 30.0, 1e3, 1e6] {
+        let (found_q, found_v) = closed(size)?;
+        // The closed pose is found to 1e-9 of the size, and lies on a curve.
+        let off = (found_q - q).abs().max().max((found_v - v).abs().max());
+        assert!(off < 1e-8, "{size} m: {off:e}");
+    }
+    Ok(())
+}

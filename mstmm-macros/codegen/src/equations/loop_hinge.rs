@@ -85,6 +85,21 @@ pub fn loop_hinge<S: Scalar>(
     Some(LoopHinge { hinge, parent, child, child_arm, child_to_work, constraints, active_forces })
 }
 
+impl<S: Scalar> LoopHinge<S> {
+    /// Returns the hinge with kinematic constraints that have translations as errors: a rotation is that of a point at
+    /// the distance `1 / per_length`.
+    pub fn with_constraints_of_one_unit(&self, per_length: S) -> Self {
+        let of_one_unit = |&Constraint { wrench, inertia }: &Constraint<S>| {
+            let (force, moment) = (wrench.force, wrench.moment * per_length);
+            let norm = (force.dot(force) + moment.dot(moment)).sqrt();
+            let factor = if inertia.vanishes() { norm.recip() } else { S::one() };
+            Constraint { wrench: wrench.scaled(factor), inertia }
+        };
+        let constraints = self.constraints.iter().map(of_one_unit).collect();
+        LoopHinge { constraints, ..self.clone() }
+    }
+}
+
 fn constraints<S: Scalar>(
     context: &EvalContext<S>,
     index: HingeId,

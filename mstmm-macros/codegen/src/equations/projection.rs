@@ -4,6 +4,8 @@
 //! An impulse at the loop hinge causes this motion. The equations are therefore those of forward
 //! dynamics without velocities, efforts and loads; `a` are changes of coordinates, or of rates.
 //! Position error and velocity error belong to the loop hinge, in its axes on the inboard side.
+//! Redundant constraints cannot all be fulfilled at once by a chain that is open; the sum of the
+//! squares of their errors is least, with rotations as translations at an arm of the chain's size.
 
 use super::hinge::{coordinate_rates, dot, normalized};
 use super::kinematics::{BiasAcceleration, LinkKinematics, Pose, poses};
@@ -53,9 +55,10 @@ pub fn project<S: Scalar>(context: &EvalContext<S>, trace: &mut Trace<S>) -> Opt
     let speed = context.tree.total(relative(loop_hinge.hinge.relative_velocity), |link, sum| {
         sum + relative(links[link].hinge.relative_velocity)
     });
+    let closing = loop_hinge.with_constraints_of_one_unit(per_length);
     let (coordinates, excess) =
-        minimal_motion(context, &links, &loop_hinge, position_error.motion, trace);
-    let (rates, _) = minimal_motion(context, &links, &loop_hinge, velocity_error, trace);
+        minimal_motion(context, &links, &closing, position_error.motion, trace);
+    let (rates, _) = minimal_motion(context, &links, &closing, velocity_error, trace);
     let half_turn = position_error.half_turn_error();
     // Rates below one rad/s have absolute errors.
     let of_velocity = relative(velocity_error) * (S::one() + speed).recip();
