@@ -1,5 +1,5 @@
-//! Times the expansion of the macro, built as cargo builds macros by default: run it without
-//! `--release`, as `benches/compile-time/run` does. An argument selects a chain by its name.
+//! Times the expansion of the macro, built as cargo builds macros by default, without optimisation: run it as
+//! `benches/compile-time/run` does. An argument selects a chain by its name.
 
 use std::error::Error;
 use std::fmt::Write;
