@@ -22,8 +22,8 @@ const SINGULAR_ACCELERATIONS: &str = "NO_ACCELERATIONS_AT_ITS_START";
 /// The name of the warning of a hinge that starts beyond its limits.
 const BEYOND_LIMITS: &str = "START_BEYOND_LIMITS";
 
-/// The overshoot from which a start is beyond its limits, relative to the distance between them. Rotation vectors have
-/// rounding errors.
+/// The overshoot from which a start is beyond its limits, relative to the distance between them, or in m or rad if they are
+/// further apart: one of them may stand for no limit. Rotation vectors have rounding errors.
 const OVERSHOOT: f64 = 1e-9;
 
 /// The largest difference of the coordinates of equal closed poses, in rad or relative to the size of the chain. In a singular
@@ -49,13 +49,13 @@ impl DryRun {
         }
     }
 
-    /// Returns whether a hinge starts beyond its limits: springs there store energy. At an overshoot as large as the distance
-    /// between the limits, they store half a joule.
+    /// Returns whether a hinge starts beyond its limits: springs there store energy. They store half a joule at an overshoot
+    /// of one, in the unit of [`OVERSHOOT`].
     fn starts_beyond_limits(&self, hinge: &Hinge) -> bool {
         let stiff = |limits: &Limits| {
             let [low, high] =
                 [&limits.low, &limits.high].map(|limit| self.values.scalar(limit).value());
-            Limits { stiffness: Value::number((high - low).powi(-2)), ..limits.clone() }
+            Limits { stiffness: Value::number((high - low).min(1.0).powi(-2)), ..limits.clone() }
         };
         let limits_of = |passive: &Passive| Passive {
             limits: passive.limits.as_ref().map(stiff),

@@ -156,6 +156,7 @@ fn a_hinge_starts_within_its_limits() {
     expect_hinge("slider", &limited("limits = [1, 2];"), &["a", "b"]);
     beyond("slider", "start = 0.2 nm; limits = [-0.1, 0.1] nm;");
     within("slider", "start = 0.1 nm; limits = [-0.1, 0.1] nm;");
+    beyond("slider", "start = -1 mm; limits = [0, 1e10] m;");
     within("universal", "start = [0.3, -0.3]; limits = [-0.3, 0.3];");
     beyond("universal", "start = [0.3, -0.4]; limits = [-0.3, 0.3];");
     within("ball", "start = rpy(0, 50, 0) deg; limits = 50 deg;");
